@@ -91,18 +91,18 @@ class EstimateMessage {
             case FeedState::pushedBack:
             case FeedState::belowRequired:
                 return m_estimate.isOfAllGaps()
-                           ? Message(translatable("An additional feed force of %1 is enough for this blow, "
-                                                  "an additional %2 for every gap between bit and rock."),
+                           ? Message(translatable("Raise the feed force by %1 to have enough for this blow, "
+                                                  "by %2 for every gap between bit and rock."),
                                      {more(ofThisBlow), more(largest.thrust)})
-                           : Message(translatable("An additional feed force of %1 is enough for this blow, "
-                                                  "an additional %2 for rigid rock."),
+                           : Message(translatable("Raise the feed force by %1 to have enough for this blow, "
+                                                  "by %2 for rigid rock."),
                                      {more(ofThisBlow), more(largest.thrust)});
             case FeedState::requiredAtThisGap:
                 return {
                     m_estimate.isOfAllGaps()
                         ? translatable(
-                              "An additional feed force of %1 is enough for every gap between bit and rock.")
-                        : translatable("An additional feed force of %1 is enough for rigid rock."),
+                              "Raise the feed force by %1 to have enough for every gap between bit and rock.")
+                        : translatable("Raise the feed force by %1 to have enough for rigid rock."),
                     {more(largest.thrust)}};
             case FeedState::requiredMet:
                 return {translatable("The installed feed force is enough for single blows. From %1 on, "

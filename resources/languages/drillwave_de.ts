@@ -12592,8 +12592,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Energieanteil</translation>
     </message>
     <message>
-        <source>second solution (bouncing rod)</source>
-        <translation>zweite Lösung (springende Stange)</translation>
+        <source>also possible: bouncing rod</source>
+        <translation>auch möglich: springende Stange</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12754,20 +12754,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Für diesen Schlag muss der Andruck bei %2 mindestens %1 sein, oder die Schlagfrequenz beim jetzigen Andruck höchstens %3.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, an additional %2 for every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
+        <source>Raise the feed force by %1 to have enough for this blow, by %2 for every gap between bit and rock.</source>
+        <translation>Mit %1 mehr Andruck reicht er für diesen Schlag, mit %2 mehr für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, an additional %2 for rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für diesen Schlag, einer von %2 für starres Gestein.</translation>
+        <source>Raise the feed force by %1 to have enough for this blow, by %2 for rigid rock.</source>
+        <translation>Mit %1 mehr Andruck reicht er für diesen Schlag, mit %2 mehr für starres Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
+        <source>Raise the feed force by %1 to have enough for every gap between bit and rock.</source>
+        <translation>Mit %1 mehr Andruck reicht er für jeden Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for rigid rock.</source>
-        <translation>Ein zusätzlicher Andruck von %1 reicht für starres Gestein.</translation>
+        <source>Raise the feed force by %1 to have enough for rigid rock.</source>
+        <translation>Mit %1 mehr Andruck reicht er für starres Gestein.</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
@@ -12798,8 +12798,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
     </message>
     <message>
-        <source>It is enough for %1 of all gaps in this rock.</source>
-        <translation>Er reicht für %1 aller Spalte in diesem Gestein.</translation>
+        <source>The feed force is enough for %1 of all gaps in this rock.</source>
+        <translation>Der Andruck reicht für %1 aller Spalte in diesem Gestein.</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>

@@ -12592,8 +12592,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>energiandel</translation>
     </message>
     <message>
-        <source>second solution (bouncing rod)</source>
-        <translation>andra lösning (studsande stång)</translation>
+        <source>also possible: bouncing rod</source>
+        <translation>också möjligt: studsande stång</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12754,20 +12754,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>För detta slag måste matningskraften vara minst %1 vid %2, eller slagfrekvensen högst %3 vid nuvarande matningskraft.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, an additional %2 for every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för varje spalt mellan borrkrona och berg.</translation>
+        <source>Raise the feed force by %1 to have enough for this blow, by %2 for every gap between bit and rock.</source>
+        <translation>Med %1 mer matningskraft räcker den för detta slag, med %2 mer för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for this blow, an additional %2 for rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för detta slag, en på %2 för stelt berg.</translation>
+        <source>Raise the feed force by %1 to have enough for this blow, by %2 for rigid rock.</source>
+        <translation>Med %1 mer matningskraft räcker den för detta slag, med %2 mer för stelt berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for every gap between bit and rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för varje spalt mellan borrkrona och berg.</translation>
+        <source>Raise the feed force by %1 to have enough for every gap between bit and rock.</source>
+        <translation>Med %1 mer matningskraft räcker den för varje spalt mellan borrkrona och berg.</translation>
     </message>
     <message>
-        <source>An additional feed force of %1 is enough for rigid rock.</source>
-        <translation>En ytterligare matningskraft på %1 räcker för stelt berg.</translation>
+        <source>Raise the feed force by %1 to have enough for rigid rock.</source>
+        <translation>Med %1 mer matningskraft räcker den för stelt berg.</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow (%2 required), but not for every gap between bit and rock (up to %3 required).</source>
@@ -12798,8 +12798,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
     </message>
     <message>
-        <source>It is enough for %1 of all gaps in this rock.</source>
-        <translation>Den räcker för %1 av alla spalter i detta berg.</translation>
+        <source>The feed force is enough for %1 of all gaps in this rock.</source>
+        <translation>Matningskraften räcker för %1 av alla spalter i detta berg.</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>

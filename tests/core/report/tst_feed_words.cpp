@@ -119,22 +119,18 @@ void TestFeedWords::eachStateHasItsSentence_data() {
     row("pushed back", "t38_medium_rock", 2e3,
         "The feed force of 2 kN is less than the mean force of the blows, 3.06 kN: the machine is pushed "
         "back.",
-        "An additional feed force of 2.38 kN is enough for this blow, an additional 5.26 kN for every gap "
-        "between "
-        "bit "
+        "Raise the feed force by 2.38 kN to have enough for this blow, by 5.26 kN for every gap between bit "
         "and rock.");
     row("below required", "t38_medium_rock", 3.5e3,
         "A feed force of 3.5 kN is below the 4.375 kN that this blow requires: penetration will probably be "
         "lost.",
-        "An additional feed force of 875 N is enough for this blow, an additional 3.76 kN for every gap "
-        "between bit "
-        "and "
-        "rock.");
+        "Raise the feed force by 875 N to have enough for this blow, by 3.76 kN for every gap between bit "
+        "and rock.");
     row("required at this gap", "t38_medium_rock", 6e3,
         "A feed force of 6 kN is enough for this blow (4.375 kN required), but not for every gap between bit "
         "and rock "
         "(up to 7.253 kN required).",
-        "An additional feed force of 1.26 kN is enough for every gap between bit and rock.");
+        "Raise the feed force by 1.26 kN to have enough for every gap between bit and rock.");
     row("required met", "t38_medium_rock", 8e3,
         "A feed force of 8 kN is enough for every single blow (7.253 kN required).",
         "The installed feed force is enough for single blows. From 11.5 kN on, even an undamped rod would "
@@ -147,7 +143,7 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "A feed force of 8 kN is enough for this blow (4.509 kN required), but not for rigid rock (9.017 kN "
         "required); "
         "other gaps between bit and rock were not examined.",
-        "An additional feed force of 1.02 kN is enough for rigid rock.");
+        "Raise the feed force by 1.02 kN to have enough for rigid rock.");
     row("a string, required met", "t38_string", 10e3,
         "A feed force of 10 kN is enough for this blow and for rigid rock (9.017 kN required); other gaps "
         "between bit "
