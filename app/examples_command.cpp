@@ -46,8 +46,8 @@ void list(const std::vector<Example>& examples, const ReadingStyle& style, Outpu
 /// Prints a stream of YAML documents.
 void print(const std::vector<Example>& examples, OutputFile& out) {
     for (const Example& example : examples) {
-        if (&example != &examples.front()) out.write("---\n");
-        out.write(example.text);
+        if (&example != &examples.front()) out.writeText("---\n");
+        out.writeText(example.text);
     }
 }
 

@@ -146,12 +146,14 @@ OutputFile::~OutputFile() {
     if (m_device >= 0) ::close(m_device);
 }
 
-void OutputFile::write(std::string_view text) {
-    std::string rewritten;
-    if (csvSigns != CsvSigns::pointAndComma) {
-        rewritten = m_csv.text(text);
-        text = rewritten;
-    }
+void OutputFile::write(std::string_view csv) {
+    if (csvSigns == CsvSigns::pointAndComma)
+        writeText(csv);
+    else
+        writeText(m_csv.text(csv));
+}
+
+void OutputFile::writeText(std::string_view text) {
     if (m_file)
         check(m_file->write(text));
     else if (m_device >= 0)
@@ -196,7 +198,7 @@ void OutputFile::check(const WriteFailure& failure) const {
 
 void printText(std::string_view text) {
     OutputFile out("-", Overwrite::allowed);
-    out.write(printableLines(text));
+    out.writeText(printableLines(text));
     out.commit();
 }
 

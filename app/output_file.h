@@ -74,8 +74,10 @@ class OutputFile {
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Writes a text; for CSV, it must consist of complete lines.
-    void write(std::string_view text);
+    /// Writes complete lines of CSV, with the decimal sign and separator of this run.
+    void write(std::string_view csv);
+    /// Writes a text as it is.
+    void writeText(std::string_view text);
     /// Returns size and checksum of everything written so far, including rows kept from an interrupted run.
     const FileSum& sum() const { return m_sum; }
     /// Adds a file to be written beside this one. Requires that this output is a file, not a stream.

@@ -91,7 +91,7 @@ void write(const ReportPlace& place, std::vector<NamedFile> files, Overwrite ove
            const Interruption& interruption) {
     if (!place.isFolder) {
         OutputFile file(place.path, overwrite, reportFilesThere);
-        file.write(files.front().bytes);
+        file.writeText(files.front().bytes);
         return file.commit(&interruption);
     }
     FolderFiles folder;

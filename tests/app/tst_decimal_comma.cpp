@@ -49,6 +49,7 @@ class TestDecimalComma : public QObject {
   private slots:
     void everyTableIsTheSameInOtherSigns_data();
     void everyTableIsTheSameInOtherSigns();
+    void summaryIsNoTable();
     void partsAndKeptRowsHavePoints();
     void recordsAreOfTheFileAsWritten();
     void withoutAFileItIsRefused();
@@ -97,6 +98,14 @@ void TestDecimalComma::everyTableIsTheSameInOtherSigns() {
         QVERIFY(cells.first().size() > 1);
         QCOMPARE(withPoints(cellsOf(commas[i], ';')), cells);
     }
+}
+
+void TestDecimalComma::summaryIsNoTable() {
+    const QTemporaryDir folder;
+    const Finished finished =
+        run({"run", "t38_medium_rock", "-o", folder.filePath("blow"), "--decimal-comma"});
+    QCOMPARE(finished.exitCode, 0);
+    QVERIFY2(finished.out.startsWith("T38 rod, medium rock\n"), finished.out.constData());
 }
 
 void TestDecimalComma::partsAndKeptRowsHavePoints() {
