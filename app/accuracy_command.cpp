@@ -52,6 +52,13 @@ std::vector<int> ladderOf(const Arguments& arguments) {
              std::to_string(maximumSegments)}));
 }
 
+/// "100,1000,10000", as --segments takes them.
+std::string segmentsText(const std::vector<int>& ladder) {
+    std::string text;
+    for (const int segments : ladder) text += (text.empty() ? "" : ",") + std::to_string(segments);
+    return text;
+}
+
 /// Half a minute of work.
 constexpr long defaultMoves = 1'000'000'000;
 constexpr long mostMoves = 1'000'000'000'000'000;
@@ -65,8 +72,7 @@ void checkWork(const Arguments& arguments, const std::vector<int>& ladder) {
         ExitCode::usage,
         Message(translatable("--segments %1: would move waves by %2 segments, more than --work-limit, now "
                              "%3, permits (half a minute is some 1e9); take fewer or permit more"),
-                {arguments.value("segments").value_or(""), arguments.style().number(moves, 2),
-                 std::to_string(limit)}));
+                {segmentsText(ladder), arguments.style().number(moves, 2), std::to_string(limit)}));
 }
 
 ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
