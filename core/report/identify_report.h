@@ -57,6 +57,12 @@ std::vector<Message> identifyRemarks(const IdentifyReport& report, const RecordA
                                      const ReadingStyle& style);
 /// Returns the first sentence about a record: whether the model agrees with it and what is known.
 Message identifySentence(const RecordAnswer& answer);
+/// Returns the first sentences about several records: with how many the model agrees, and what stiffness the
+/// next blow will meet. Empty for a single record.
+Message recordsSentence(const IdentifyFindings& findings, const ReadingStyle& style);
+/// Returns the name of a record: its file, followed by the number of the blow (from 1) if `hasBlows`, as for
+/// files with several blows.
+std::string recordName(const RecordAnswer& answer, bool hasBlows);
 /// Returns the name of a tried law (TriedLaw::law) in words.
 Message lawWords(std::string_view law);
 /// Returns in a few words whether a record agrees with the model, or why it was refused.

@@ -23,12 +23,14 @@ class IdentifyWriter {
         const RecordAnswer& answer = findings.main();
         m_text = m_report.question.scenario.title;
         if (!m_text.empty()) m_text += ", ";
-        m_text += findings.records.size() > 1
-                      ? said({translatable("%1 records"), {std::to_string(findings.records.size())}})
-                      : answer.file;
+        const bool hasSeveral = findings.records.size() > 1;
+        m_text += hasSeveral ? said({translatable("%1 records"), {std::to_string(findings.records.size())}})
+                             : answer.file;
         m_text += "\n";
-        m_text += paragraph(m_style.said(identifySentence(answer)));
-        if (findings.records.size() > 1) addRecords();
+        if (hasSeveral) addRecords();
+        const Message sentence = identifySentence(answer);
+        const std::string name = recordName(answer, m_report.question.allBlows);
+        m_text += paragraph(said(hasSeveral ? Message("%1: %2", {name, sentence}) : sentence));
         if (answer.refusal) return m_text;
         addParameters(answer);
         if (answer.model != ModelVerdict::rejected && answer.law != "file") addLimits(answer);
@@ -113,26 +115,25 @@ class IdentifyWriter {
     }
 
     void addRecords() {
+        m_text += paragraph(said(recordsSentence(m_report.findings, m_style))) + "\n";
         TextGrid grid(CellAlignment::left);
+        grid.add({said(translatable("record")), said(translatable("stiffness")),
+                  said(translatable("elasticity")), said(translatable("misfit")),
+                  said(translatable("verdict"))});
         constexpr std::size_t most = 20;
         std::size_t count = 0;
         for (const RecordAnswer& record : m_report.findings.records) {
             if (++count > most) break;
-            std::string name = record.file;
-            if (m_report.question.allBlows) name += ", " + std::to_string(record.blow + 1);
-            if (record.refusal) {
-                grid.add({name, said(translatable("refused"))});
-                continue;
-            }
             const auto value = [&](const char* key, Quantity quantity) {
                 const IdentifiedParameter* parameter = record.find(key);
                 return parameter ? m_style.quantity(parameter->value, quantity, 3) : std::string();
             };
-            grid.add({name, std::string(drillwave::name(record.model)),
-                      value("bit_rock.stiffness", Quantity::stiffness),
-                      value("bit_rock.gamma", Quantity::ratio), percent(record.match.misfit)});
+            grid.add(
+                {recordName(record, m_report.question.allBlows),
+                 value("bit_rock.stiffness", Quantity::stiffness), value("bit_rock.gamma", Quantity::ratio),
+                 record.refusal ? std::string() : percent(record.match.misfit), said(recordVerdict(record))});
         }
-        m_text += grid.text();
+        m_text += grid.text() + "\n";
     }
 
     const IdentifyReport& m_report;

@@ -128,6 +128,32 @@ Message lawWords(std::string_view law) {
     return wordsOf(law, words);
 }
 
+Message recordsSentence(const IdentifyFindings& findings, const ReadingStyle& style) {
+    if (findings.records.size() < 2) return {};
+    const auto agreeing = std::ranges::count_if(findings.records, [](const RecordAnswer& record) {
+        return !record.refusal && record.model != ModelVerdict::rejected;
+    });
+    const Message count{translatable("The model agrees with %1 of %2 records."),
+                        {std::to_string(agreeing), std::to_string(findings.records.size())}};
+    const auto next = std::ranges::find(findings.nextBlow, "bit_rock.stiffness", &NextBlowParameter::key);
+    if (next == findings.nextBlow.end()) return count;
+    const Message expected{
+        next->hasChange
+            ? translatable(
+                  "The stiffness of the rock changes from blow to blow: at the next blow, it will be "
+                  "between %1 and %2 (95 %).")
+            : translatable(
+                  "No change of the rock's stiffness is seen from blow to blow: at the next blow, it "
+                  "will be between %1 and %2 (95 %)."),
+        {style.quantity(next->low, Quantity::stiffness, 4),
+         style.quantity(next->high, Quantity::stiffness, 4)}};
+    return {"%1 %2", {count, expected}};
+}
+
+std::string recordName(const RecordAnswer& answer, bool hasBlows) {
+    return hasBlows ? answer.file + ", " + std::to_string(answer.blow + 1) : answer.file;
+}
+
 Message recordVerdict(const RecordAnswer& answer) {
     if (answer.refusal) return {translatable("refused: %1"), {answer.refusal->text}};
     return answer.model == ModelVerdict::accepted   ? translatable("agrees")

@@ -44,12 +44,6 @@ Choice chosen(const ChoiceBox& box) {
     return allValues<Choice>[static_cast<std::size_t>(box.currentIndex())];
 }
 
-/// A record in words: its file and, where each has several, its blow from 1.
-QString rowName(const RecordAnswer& record, bool hasBlows) {
-    const QString file = fromView(record.file);
-    return hasBlows ? QStringLiteral("%1, %2").arg(file).arg(record.blow + 1) : file;
-}
-
 }  // namespace
 
 IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
@@ -256,8 +250,12 @@ void IdentifyPage::showSide(bool hasAnswer) {
 const RecordAnswer& IdentifyPage::shownRecord() const {
     const IdentifyFindings& findings = m_shown->report.findings;
     for (const RecordAnswer& record : findings.records)
-        if (rowName(record, m_shown->question.allBlows) == m_chosen) return record;
+        if (nameOf(record) == m_chosen) return record;
     return findings.main();
+}
+
+QString IdentifyPage::nameOf(const RecordAnswer& record) const {
+    return fromView(recordName(record, m_shown->question.allBlows));
 }
 
 // Files that have no answer yet have a row, too: an unreadable one can be removed.
@@ -272,8 +270,7 @@ void IdentifyPage::showRecords() {
                 if (fromView(record.file) != names[i]) continue;
                 if (&record == &shownRecord()) shown = static_cast<int>(rows.size());
                 const LocalStyle style = LocalStyle::of(document().units());
-                rows.push_back({rowName(record, m_shown->question.allBlows), m_paths[i],
-                                translated(recordVerdict(record)),
+                rows.push_back({nameOf(record), m_paths[i], translated(recordVerdict(record)),
                                 record.refusal ? QString()
                                                : fromView(style.number(100 * record.match.misfit, 2)) +
                                                      QStringLiteral(" %")});
@@ -300,19 +297,19 @@ void IdentifyPage::present() {
 void IdentifyPage::draw() {
     const IdentifyReport& report = m_shown->report;
     const RecordAnswer& answer = shownRecord();
-    QString sentence = translated(identifySentence(report.findings.main()));
+    const LocalStyle style = LocalStyle::of(document().units());
+    const bool hasSeveral = report.findings.records.size() > 1;
+    const QString ofRecord = translated(identifySentence(answer));
+    QString sentence = hasSeveral ? translated(recordsSentence(report.findings, style)) : ofRecord;
     if (m_shown->isPartial)
         sentence += u' ' + (m_paths.size() > 1
                                 ? tr("Further records and laws are being tried; they can change the answer.")
                                 : tr("Other laws are being tried; they can widen the intervals."));
     showRecords();
-    const QString more = &answer == &report.findings.main()
-                             ? QString()
-                             : QStringLiteral("%1: %2").arg(rowName(answer, m_shown->question.allBlows),
-                                                            translated(identifySentence(answer)));
+    const QString more = hasSeveral ? QStringLiteral("%1: %2").arg(nameOf(answer), ofRecord) : QString();
     if (answer.refusal) {
         showSide(false);
-        showNothing(translated(identifySentence(answer)));
+        showNothing(ofRecord);
         return say(sentence, more);
     }
     m_frame->present(
@@ -322,7 +319,7 @@ void IdentifyPage::draw() {
           }}});
     plot()->keyPoint().offer(m_frame->keyPlaces());
     m_frame->giveMeanings(*plot());
-    m_panel->present(report, answer, LocalStyle::of(document().units()));
+    m_panel->present(report, answer, style);
     m_panel->setEnabled(!m_shown->isPartial);
     showSide(true);
     say(sentence, more);

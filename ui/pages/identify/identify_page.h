@@ -77,6 +77,7 @@ class IdentifyPage : public StudyPage {
     RecordQuestion question() const;
     void showKnown(const RecordQuestion& question);
     const RecordAnswer& shownRecord() const;
+    QString nameOf(const RecordAnswer& record) const;
     void removeRecord(const QString& path);
     void takeFiles(const QStringList& paths);
     void showRecords();
