@@ -115,8 +115,8 @@ constexpr auto outputTable = std::to_array<Output>({
      "feed force required by this blow", OutputOf::anyBlow, OutputGroup::none, "", std::nullopt, std::nullopt,
      thrustProblem},
     {thrustMarginName,
-     "effective over the largest of the four required feed forces, less 1, if the scenario gives them; takes "
-     "a study of all gaps",
+     "effective feed force over the largest of the four required ones, less 1, if the scenario gives them; "
+     "takes a study of all gaps",
      Measure::number, Detail::cor, [](const From& f) { return f.thrustMargin; },
      "feed force margin at every gap", OutputOf::anyBlow, OutputGroup::none, "", std::nullopt, std::nullopt,
      thrustMarginProblem},

@@ -295,8 +295,8 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                     {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
             return {translatable("At impact, the shank is up to %1 from its mean position in the machine, so "
-                                 "stroke and blow energy of a real machine would differ. A dashpot alone "
-                                 "lets the shank drift: add a spring to the damper."),
+                                 "stroke and blow energy of a real machine would differ. If the damper has "
+                                 "no spring, add one: a dashpot alone lets the shank drift."),
                     {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
             return {

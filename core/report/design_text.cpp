@@ -107,7 +107,7 @@ std::string bestText(const DesignReport& report, const ReadingStyle& style) {
     table.add(style.said(translatable("best for uncertain rock")), *best.robust);
     if (best.nominal) table.add(style.said(translatable("best for the values entered")), *best.nominal);
     if (const auto file = presentDesign(report.study); file && report.study.designCount() > 1)
-        table.add("FILE", *file);
+        table.add(style.said(translatable("present design")), *file);
     return table.text();
 }
 

@@ -91,7 +91,7 @@ StudyPanel returnsPanel(const ShownSequence& sequence) {
 
 StudyPanel energyPanel(const DrillingLedger& ledger) {
     const std::pair<const char*, double> parts[] = {{translatable("remaining energy %1"), ledger.stored},
-                                                    {translatable("new faces %1"), ledger.faces},
+                                                    {translatable("new rock faces %1"), ledger.faces},
                                                     {translatable("lost waves %1"), ledger.waves},
                                                     {translatable("damper %1"), ledger.damper},
                                                     {translatable("rock %1"), ledger.rock}};

@@ -160,6 +160,8 @@ Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
 std::vector<Message> drillingSentences(const DrillingReport& report, const ReadingStyle& style) {
     std::vector<Message> sentences{requiredFeedMessage(report.result.scenario, report.feed, style)};
     std::ranges::move(sequenceSentences(report.result, style), std::back_inserter(sentences));
+    // The estimate and the blows may say the same, as where the machine is pushed back.
+    sentences.erase(std::ranges::unique(sentences).begin(), sentences.end());
     return sentences;
 }
 

@@ -66,7 +66,8 @@ std::string balanceLines(const DrillingResult& result, const ReadingStyle& style
     };
     return labelled(
                energyLabel,
-               {translatable("rock %1, damper %2, waves %3, new faces %4 of the energy from hammer and feed"),
+               {translatable(
+                    "rock %1, damper %2, waves %3, new rock faces %4 of the energy from hammer and feed"),
                 {share(ledger.rock), share(ledger.damper), share(ledger.waves), share(ledger.faces)}},
                style) +
            labelled(balancesLabel,

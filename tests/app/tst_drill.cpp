@@ -427,7 +427,7 @@ void TestDrill::whatCannotBeMarchedEndsWithSix() {
 void TestDrill::numbersAreRoundedForReaders() {
     const QByteArray all = output(soft()), text = all.left(all.indexOf("  balances"));
     QVERIFY2(!text.contains("e+0") && !text.contains("e-1"), text);
-    QVERIFY2(text.contains("new faces 0 %"), text);
+    QVERIFY2(text.contains("new rock faces 0 %"), text);
 }
 
 void TestDrill::anInterruptedMarchLeavesNothing() {

@@ -199,7 +199,8 @@ const std::vector<Example>& examples() {
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
          "At impact, the shank is up to 6 mm from its mean position in the machine, so stroke and blow "
          "energy "
-         "of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper."},
+         "of a real machine would differ. If the damper has no spring, add one: a dashpot alone lets the "
+         "shank drift."},
         {{note,
           AlertCode::frequencyRounded,
           "",
