@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// drillwave signal FILE…
+// drillwave signal RECORD…
 #include "app/command.h"
 #include "app/input_text.h"
 #include "app/output_file.h"
@@ -99,11 +99,11 @@ const Command& signalCommand() {
     static constexpr std::string_view details =
         "Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns\n"
         "and units. If the table does not state something, the last lines ask for it, and the exit code is\n"
-        "5. Several FILEs are read as one series and give one row each. Commands that take a scenario can\n"
+        "5. Several RECORDs are read as one series and give one row each. Commands that take a scenario can\n"
         "use such a record as the blow, with --signal FILE and the same options.";
     static const Command command{
         .name = "signal",
-        .operands = "FILE…",
+        .operands = "RECORD…",
         .summary = "read records of force, strain or voltage; print their units, blow and quality",
         .details = details,
         .options =

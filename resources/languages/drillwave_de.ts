@@ -1154,10 +1154,6 @@ Trotzdem löschen?</translation>
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>effective over the largest of the four required feed forces, less 1, if the scenario gives them; takes a study of all gaps</source>
-        <translation>wirksamer Andruck durch den größten der vier Bedarfe, weniger 1, wenn das Szenario sie hat; braucht eine Studie aller Spalte</translation>
-    </message>
-    <message>
         <source>efficiency</source>
         <translation>Wirkungsgrad</translation>
     </message>
@@ -2732,6 +2728,10 @@ Trotzdem löschen?</translation>
     <message>
         <source>rock</source>
         <translation>Gestein</translation>
+    </message>
+    <message>
+        <source>effective feed force over the largest of the four required ones, less 1, if the scenario gives them; takes a study of all gaps</source>
+        <translation>wirksamer Andruck durch den größten der vier erforderlichen, weniger 1, wenn das Szenario sie hat; braucht eine Studie aller Spalte</translation>
     </message>
 </context>
 <context>
@@ -6216,8 +6216,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Nachdem sich der Kolben getrennt hat, trifft ihn der zurückprallende Strang noch einmal, und der Kolben gibt bis zu %1&#xa0;% seines Impulses an den Strang ab. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper.</source>
-        <translation>Beim Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt; Hub und Schlagenergie einer wirklichen Maschine wären also andere. Ein Dämpfer allein lässt das Einsteckende wandern: eine Feder hinzufügen.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
+        <translation>Beim Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt; Hub und Schlagenergie einer wirklichen Maschine wären also andere. Hat die Dämpfung keine Feder, eine hinzufügen: Ein Dämpfer allein lässt das Einsteckende wandern.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
@@ -8484,7 +8484,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 der Schläge beginnen höchstens %2 vom Gestein entfernt</translation>
     </message>
     <message>
-        <source>rock %1, damper %2, waves %3, new faces %4 of the energy from hammer and feed</source>
+        <source>rock %1, damper %2, waves %3, new rock faces %4 of the energy from hammer and feed</source>
         <translation>Gestein %1, Dämpfer %2, Wellen %3, neue Gesteinsflächen %4 dessen, was Hammer und Vorschub bringen</translation>
     </message>
     <message>
@@ -11704,10 +11704,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>versuchte Gesetze</translation>
     </message>
     <message>
-        <source>refused</source>
-        <translation>abgelehnt</translation>
-    </message>
-    <message>
         <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
         <translation>Die Reflexion kommt nicht zu der aus der Szenariodatei berechneten Zeit an: den Abstand der Messstelle von der Krone, die Wellengeschwindigkeit und den Abtasttakt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
@@ -12572,7 +12568,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>verbliebene Energie %1</translation>
     </message>
     <message>
-        <source>new faces %1</source>
+        <source>new rock faces %1</source>
         <translation>neue Gesteinsflächen %1</translation>
     </message>
     <message>
@@ -12970,6 +12966,26 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>fully elastic rock (gamma = 1), worst gap</source>
         <translation>vollelastisches Gestein (gamma = 1), ungünstigster Spalt</translation>
+    </message>
+    <message>
+        <source>misfit</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>The model agrees with %1 of %2 records.</source>
+        <translation>Das Modell stimmt mit %1 von %2 Aufzeichnungen überein.</translation>
+    </message>
+    <message>
+        <source>The stiffness of the rock changes from blow to blow: at the next blow, it will be between %1 and %2 (95 %).</source>
+        <translation>Die Steifigkeit des Gesteins ändert sich von Schlag zu Schlag: Beim nächsten Schlag liegt sie zwischen %1 und %2 (95 %).</translation>
+    </message>
+    <message>
+        <source>No change of the rock&apos;s stiffness is seen from blow to blow: at the next blow, it will be between %1 and %2 (95 %).</source>
+        <translation>Von Schlag zu Schlag ist keine Änderung der Steifigkeit zu sehen: Beim nächsten Schlag liegt sie zwischen %1 und %2 (95 %).</translation>
     </message>
 </context>
 <context>
@@ -16445,11 +16461,11 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
     <message>
         <source>Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns
 and units. If the table does not state something, the last lines ask for it, and the exit code is
-5. Several FILEs are read as one series and give one row each. Commands that take a scenario can
+5. Several RECORDs are read as one series and give one row each. Commands that take a scenario can
 use such a record as the blow, with --signal FILE and the same options.</source>
         <translation>Liest Tabellen eines über der Zeit gemessenen Signals und erkennt Kodierung, Trennzeichen,
 Dezimalzeichen, Spalten und Einheiten. Nennt die Tabelle etwas nicht, fragen die letzten Zeilen
-danach, und der Exit-Code ist 5. Mehrere FILE werden als eine Reihe gelesen und ergeben je eine
+danach, und der Exit-Code ist 5. Mehrere RECORD werden als eine Reihe gelesen und ergeben je eine
 Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Schlag verwenden, mit
 --signal FILE und denselben Optionen.</translation>
     </message>

@@ -1154,10 +1154,6 @@ Ta bort ändå?</translation>
         <translation>varaktighet</translation>
     </message>
     <message>
-        <source>effective over the largest of the four required feed forces, less 1, if the scenario gives them; takes a study of all gaps</source>
-        <translation>verksam matningskraft genom det största av de fyra behoven av matningskraft, minus 1, när scenariot har dem; kräver en studie av alla spalter</translation>
-    </message>
-    <message>
         <source>efficiency</source>
         <translation>verkningsgrad</translation>
     </message>
@@ -2732,6 +2728,10 @@ Ta bort ändå?</translation>
     <message>
         <source>rock</source>
         <translation>berg</translation>
+    </message>
+    <message>
+        <source>effective feed force over the largest of the four required ones, less 1, if the scenario gives them; takes a study of all gaps</source>
+        <translation>verksam matningskraft genom den största av de fyra som krävs, minus 1, när scenariot har dem; kräver en studie av alla spalter</translation>
     </message>
 </context>
 <context>
@@ -6216,8 +6216,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Efter att kolven har skilts träffar den studsande strängen den igen, och kolven ger upp till %1&#xa0;% av sin rörelsemängd till strängen. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. A dashpot alone lets the shank drift: add a spring to the damper.</source>
-        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen, så slaglängd och slagenergi hos en verklig maskin skulle bli andra. En dämpare ensam låter nacken vandra: lägg till en fjäder.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
+        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen, så slaglängd och slagenergi hos en verklig maskin skulle bli andra. Lägg till en fjäder om dämparen saknar den: en dämpare ensam låter nacken vandra.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
@@ -8484,7 +8484,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 av slagen börjar inom %2 från berget</translation>
     </message>
     <message>
-        <source>rock %1, damper %2, waves %3, new faces %4 of the energy from hammer and feed</source>
+        <source>rock %1, damper %2, waves %3, new rock faces %4 of the energy from hammer and feed</source>
         <translation>berg %1, dämpare %2, vågor %3, nya bergytor %4 av det som hammare och matning tillför</translation>
     </message>
     <message>
@@ -11704,10 +11704,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>prövade lagar</translation>
     </message>
     <message>
-        <source>refused</source>
-        <translation>avvisad</translation>
-    </message>
-    <message>
         <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
         <translation>Reflexionen kommer inte vid den tid som beräknas ur scenariofilen: kontrollera givarens avstånd från kronan, våghastigheten, samplingsklockan, och om en sektion saknas i filen.</translation>
     </message>
@@ -12572,7 +12568,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>kvarvarande energi %1</translation>
     </message>
     <message>
-        <source>new faces %1</source>
+        <source>new rock faces %1</source>
         <translation>nya bergytor %1</translation>
     </message>
     <message>
@@ -12970,6 +12966,26 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>fully elastic rock (gamma = 1), worst gap</source>
         <translation>helt elastiskt berg (gamma = 1), ogynnsammaste spalt</translation>
+    </message>
+    <message>
+        <source>misfit</source>
+        <translation>avvikelse</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>omdöme</translation>
+    </message>
+    <message>
+        <source>The model agrees with %1 of %2 records.</source>
+        <translation>Modellen stämmer med %1 av %2 mätningar.</translation>
+    </message>
+    <message>
+        <source>The stiffness of the rock changes from blow to blow: at the next blow, it will be between %1 and %2 (95 %).</source>
+        <translation>Bergets styvhet ändras från slag till slag: vid nästa slag ligger den mellan %1 och %2 (95 %).</translation>
+    </message>
+    <message>
+        <source>No change of the rock&apos;s stiffness is seen from blow to blow: at the next blow, it will be between %1 and %2 (95 %).</source>
+        <translation>Ingen ändring av bergets styvhet syns från slag till slag: vid nästa slag ligger den mellan %1 och %2 (95 %).</translation>
     </message>
 </context>
 <context>
@@ -16439,11 +16455,11 @@ med slutkod 5.</translation>
     <message>
         <source>Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns
 and units. If the table does not state something, the last lines ask for it, and the exit code is
-5. Several FILEs are read as one series and give one row each. Commands that take a scenario can
+5. Several RECORDs are read as one series and give one row each. Commands that take a scenario can
 use such a record as the blow, with --signal FILE and the same options.</source>
         <translation>Läser tabeller med en signal som mätts över tiden och hittar kodning, avgränsare, decimaltecken,
 kolumner och enheter. Om tabellen inte anger något frågar de sista raderna efter det, och
-slutkoden är 5. Flera FILE läses som en serie och ger en rad var. Kommandon som tar ett scenario
+slutkoden är 5. Flera RECORD läses som en serie och ger en rad var. Kommandon som tar ett scenario
 kan använda en sådan mätning som slag, med --signal FILE och samma alternativ.</translation>
     </message>
     <message>

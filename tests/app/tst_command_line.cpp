@@ -131,7 +131,7 @@ void TestCommandLine::helpFindsEverydayWords_data() {
                                        {"exit codes", "§6 Exit codes"},
                                        {"slurm", "commands 4.12"},
                                        {"shard", "sweep, table, map"},
-                                       {"signal", "drillwave signal FILE"},
+                                       {"signal", "drillwave signal RECORD"},
                                        {"measured", "files 8"},
                                        {"import", "files 8"},
                                        {"plots", "accuracy, stability"},
