@@ -69,9 +69,10 @@ std::string placesText(const CurveQuestion& question, const GoalAnswer& answer, 
 /// Where others may be.
 const char* whereUnknown(const CurveLine& line) {
     const CurveOutput& output = line.outputs.front();
-    if (output.unsolved.empty()) return translatable("where only points of it are known");
-    return output.grid.empty() ? translatable("where it has no answer")
-                               : translatable("where only points of it are known or it has no answer");
+    if (output.unsolved.empty()) return translatable("where the output is known only at single points");
+    return output.grid.empty()
+               ? translatable("where it has no answer")
+               : translatable("where the output is known only at single points or has no value");
 }
 
 Message rangeMessage(const CurveQuestion& question, const ReadingStyle& style) {

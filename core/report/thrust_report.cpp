@@ -164,7 +164,8 @@ std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimat
     const std::optional<FeedState> state = feed.state();
     // A feed that is enough for every gap is enough for each one in this rock.
     if (shareCovered && (state == FeedState::belowRequired || state == FeedState::requiredAtThisGap))
-        sentences.push_back({translatable("The feed force is enough for %1 of all gaps in this rock."),
+        sentences.push_back({translatable("The force for every gap is that for fully elastic rock. In this "
+                                          "rock, the feed force is enough for %1 of all gaps."),
                              {shareText(*shareCovered, style)}});
     if (Message margin = marginSentence(feed, style); !margin.isEmpty())
         sentences.push_back(std::move(margin));

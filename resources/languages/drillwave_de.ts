@@ -8536,16 +8536,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>zwischen Punkten, von %1 auf %2</translation>
     </message>
     <message>
-        <source>where only points of it are known</source>
-        <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist</translation>
+        <source>where the output is known only at single points</source>
+        <translation>wo das Ergebnis nur an einzelnen Punkten bekannt ist</translation>
     </message>
     <message>
         <source>where it has no answer</source>
         <translation>wo es keine Antwort gibt</translation>
     </message>
     <message>
-        <source>where only points of it are known or it has no answer</source>
-        <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist oder es keine Antwort gibt</translation>
+        <source>where the output is known only at single points or has no value</source>
+        <translation>wo das Ergebnis nur an einzelnen Punkten bekannt ist oder keinen Wert hat</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -12794,8 +12794,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
     </message>
     <message>
-        <source>The feed force is enough for %1 of all gaps in this rock.</source>
-        <translation>Der Andruck reicht für %1 aller Spalte in diesem Gestein.</translation>
+        <source>The force for every gap is that for fully elastic rock. In this rock, the feed force is enough for %1 of all gaps.</source>
+        <translation>Die Kraft für jeden Spalt ist die für vollelastisches Gestein. In diesem Gestein reicht der Andruck für %1 aller Spalte.</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>

@@ -8536,16 +8536,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>mellan punkter, från %1 till %2</translation>
     </message>
     <message>
-        <source>where only points of it are known</source>
-        <translation>där det är känt bara i enstaka punkter</translation>
+        <source>where the output is known only at single points</source>
+        <translation>där resultatet är känt bara i enstaka punkter</translation>
     </message>
     <message>
         <source>where it has no answer</source>
         <translation>där det saknar svar</translation>
     </message>
     <message>
-        <source>where only points of it are known or it has no answer</source>
-        <translation>där det är känt bara i enstaka punkter eller saknar svar</translation>
+        <source>where the output is known only at single points or has no value</source>
+        <translation>där resultatet är känt bara i enstaka punkter eller saknar värde</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -12794,8 +12794,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
     </message>
     <message>
-        <source>The feed force is enough for %1 of all gaps in this rock.</source>
-        <translation>Matningskraften räcker för %1 av alla spalter i detta berg.</translation>
+        <source>The force for every gap is that for fully elastic rock. In this rock, the feed force is enough for %1 of all gaps.</source>
+        <translation>Kraften för varje spalt är den för helt elastiskt berg. I detta berg räcker matningskraften för %1 av alla spalter.</translation>
     </message>
     <message>
         <source>is not a rock; give the preset of a rock</source>
