@@ -11221,7 +11221,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 to %2 %3</source>
-        <translation>%1 bis %2 %3</translation>
+        <translation>%1–%2 %3</translation>
     </message>
     <message>
         <source>%1, %2 … %3 %4</source>
@@ -15087,8 +15087,8 @@ der Wellen, die der Schlag hinterlässt: %1</translation>
     <message>
         <source>compres-
 sion</source>
-        <translation>Druck-
-spannung</translation>
+        <translation>größter
+Druck</translation>
     </message>
     <message>
         <source>tension</source>
@@ -15158,6 +15158,12 @@ strength</source>
         <translation>von der
 Festigkeit</translation>
     </message>
+    <message>
+        <source>diam-
+eter</source>
+        <translation>Durch-
+messer</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StringPage</name>
@@ -15172,10 +15178,6 @@ Festigkeit</translation>
     <message>
         <source>All columns</source>
         <translation>Alle Spalten</translation>
-    </message>
-    <message>
-        <source>Also shows cross-section, Young&apos;s modulus, density and strengths that no section gives itself</source>
-        <translation>Auch Querschnitt, E-Modul, Dichte und Festigkeiten, wo kein Abschnitt eigene hat</translation>
     </message>
     <message>
         <source>Not solved: %1</source>
@@ -15208,6 +15210,10 @@ Festigkeit</translation>
     <message>
         <source>Find the value that gives…</source>
         <translation>Wert suchen, der ergibt…</translation>
+    </message>
+    <message>
+        <source>Also shows reflections of joints, presets, and the cross-section, Young&apos;s modulus, density, strengths, mass and attenuation of sections that have none of their own</source>
+        <translation>Zeigt auch Reflexionen der Verbindungen, Voreinstellungen sowie Querschnitt, E-Modul, Dichte, Festigkeiten, Masse und Dämpfung von Abschnitten, die keine eigenen haben</translation>
     </message>
 </context>
 <context>

@@ -15087,8 +15087,8 @@ av de vågor som slaget lämnar: %1</translation>
     <message>
         <source>compres-
 sion</source>
-        <translation>tryck-
-spänning</translation>
+        <translation>största
+tryck</translation>
     </message>
     <message>
         <source>tension</source>
@@ -15158,6 +15158,12 @@ strength</source>
         <translation>av håll-
 fastheten</translation>
     </message>
+    <message>
+        <source>diam-
+eter</source>
+        <translation>dia-
+meter</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StringPage</name>
@@ -15172,10 +15178,6 @@ fastheten</translation>
     <message>
         <source>All columns</source>
         <translation>Alla kolumner</translation>
-    </message>
-    <message>
-        <source>Also shows cross-section, Young&apos;s modulus, density and strengths that no section gives itself</source>
-        <translation>Även tvärsnittsarea, E-modul, densitet och hållfastheter där ingen sektion har egna</translation>
     </message>
     <message>
         <source>Not solved: %1</source>
@@ -15208,6 +15210,10 @@ fastheten</translation>
     <message>
         <source>Find the value that gives…</source>
         <translation>Sök värdet som ger…</translation>
+    </message>
+    <message>
+        <source>Also shows reflections of joints, presets, and the cross-section, Young&apos;s modulus, density, strengths, mass and attenuation of sections that have none of their own</source>
+        <translation>Visar också skarvarnas reflexioner, förval samt tvärsnitt, elasticitetsmodul, densitet, hållfastheter, massa och avklingning för sektioner som inte har egna</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <set>
@@ -26,6 +28,7 @@
 #include "ui/export/numbers_window.h"
 #include "ui/export/report_preview.h"
 #include "ui/help/help_window.h"
+#include "ui/pages/string/string_page.h"
 #include "ui/questions/picture_dialog.h"
 #include "ui/result/alert_list.h"
 #include "ui/text/language.h"
@@ -140,6 +143,8 @@ class TestLanguages : public QObject, WindowFixture {
     void helpAndReportsAreTranslated();
     void theWindowTakesEverySizeAtTheFirstAsking_data();
     void theWindowTakesEverySizeAtTheFirstAsking();
+    void columnsOfSections_fitAWindowOf1280_data();
+    void columnsOfSections_fitAWindowOf1280();
     void nothingIsCutOff_data();
     void nothingIsCutOff();
     void menusAndFieldsSpeak_data();
@@ -332,6 +337,28 @@ void TestLanguages::theWindowTakesEverySizeAtTheFirstAsking() {
     });
     window().resize(1440, 900);
     QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
+}
+
+void TestLanguages::columnsOfSections_fitAWindowOf1280_data() {
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<QString>("example");
+    for (const char* code : {"en", "de", "sv"})
+        for (const char* example : {"t38_string", "r32_string", "t51_string"})
+            QTest::addRow("%s, %s", code, example)
+                << QString::fromLatin1(code) << QString::fromLatin1(example);
+}
+
+void TestLanguages::columnsOfSections_fitAWindowOf1280() {
+    QFETCH(QString, code);
+    QFETCH(QString, example);
+    const Speaking speaking(code);
+    openIn(example);
+    window().resize(1280, 800);
+    settle();
+    auto& page = part<StringPage>(window());
+    part<PageTabs>(window()).setCurrentWidget(&page);
+    settle();
+    QTRY_COMPARE(page.table()->horizontalScrollBar()->maximum(), 0);
 }
 
 void TestLanguages::nothingIsCutOff() {

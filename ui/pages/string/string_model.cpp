@@ -51,6 +51,7 @@ bool isLossOnTheWay(int column) {
 
 // The label of the parameter, in two lines where it is long.
 QString columnTitle(int column) {
+    if (column == StringModel::diameter) return StringModel::tr("diam-\neter");
     if (column == StringModel::massAfter) return StringModel::tr("mass at\nend");
     if (column == StringModel::attenuation) return StringModel::tr("attenu-\nation");
     QString title = coreText(findSectionField(fieldKey(column))->label);
@@ -107,9 +108,11 @@ void StringModel::present(const SolvedBlowPtr& blow) {
 bool StringModel::isUsed(int column) const {
     if (column == presetName)
         return std::ranges::any_of(m_rows, [](const StringRow& row) { return !row.section.preset.empty(); });
-    const SectionField* field = findSectionField(fieldKey(column));
+    const std::string_view key = fieldKey(column);
+    if (key.ends_with("_strength")) return false;  // the stress has a column as a share of it
+    const SectionField* field = findSectionField(key);
     return field && std::ranges::any_of(m_rows, [field](const StringRow& row) {
-               return field->value(row.section).has_value();
+               return field->value(row.section).value_or(0) != 0;
            });
 }
 
@@ -175,7 +178,7 @@ QVariant StringModel::data(const QModelIndex& index, int role) const {
 QVariant StringModel::shown(const QModelIndex& index) const {
     const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
     if (index.column() == repeat) return repeatCell(row);
-    if (index.column() == sectionName) return row.name();
+    if (index.column() == sectionName) return row.words;
     if (index.column() == presetName) return coreText(row.section.preset);
     if (isResult(index.column())) return resultCell(index.row(), index.column());
     const KeptParameter parameter = parameterAt(index);
@@ -278,7 +281,7 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
         if (section >= rowCount()) return {};
         if (role == Qt::ToolTipRole) return tr("Place in keys: %1").arg(placeText(section));
         if (role != Qt::DisplayRole) return {};
-        return m_rows[static_cast<std::size_t>(section)].words;
+        return placeText(section);
     }
     if (role == Qt::ToolTipRole) {
         if (section == compression) return tr("Largest compression of the section during the blow");

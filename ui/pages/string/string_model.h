@@ -45,9 +45,13 @@ class StringModel : public QAbstractTableModel {
     /// Creates the model. The document must outlive it.
     explicit StringModel(Document& document, QObject* parent = nullptr);
 
-    /// Returns whether a column is for numbers that few sections have, or for presets.
-    static bool isOccasional(int column) { return column >= presetName; }
-    /// Returns whether any section has a value in a column that few sections use.
+    /// Returns whether a column is hidden unless it is used or all columns are shown: numbers that few
+    /// sections have, presets, and reflections of joints.
+    static bool isOccasional(int column) {
+        return column >= presetName || column == massAfter || column == attenuation || column == reflected;
+    }
+    /// Returns whether any section has a value other than 0 in an occasional column that need not be asked
+    /// for. Strengths must be.
     bool isUsed(int column) const;
 
     /// Shows the results of a blow in the last columns; nullptr before the first blow.

@@ -30,6 +30,7 @@ namespace drillwave {
 namespace {
 
 const QString allColumnsKey = QStringLiteral("string/allColumns");
+constexpr double smallLetters = 0.88;  // size of letters where columns would not fit, over the usual one
 
 }  // namespace
 
@@ -130,7 +131,8 @@ QWidget* StringPage::makeBar() {
     m_allColumns->setCheckable(true);
     m_allColumns->setFocusPolicy(Qt::TabFocus);
     m_allColumns->setToolTip(
-        tr("Also shows cross-section, Young's modulus, density and strengths that no section gives itself"));
+        tr("Also shows reflections of joints, presets, and the cross-section, Young's modulus, density, "
+           "strengths, mass and attenuation of sections that have none of their own"));
     m_allColumns->setChecked(Settings().value(allColumnsKey, false).toBool());
     connect(m_allColumns, &QToolButton::toggled, this, [this](bool all) {
         Settings().setValue(allColumnsKey, all);
@@ -144,6 +146,25 @@ void StringPage::showColumns() {
     for (int column = 0; column < m_model->columnCount(); ++column)
         if (StringModel::isOccasional(column))
             m_table->setColumnHidden(column, !m_allColumns->isChecked() && !m_model->isUsed(column));
+    fitLetters();
+}
+
+// The length with small letters, over their size, is more than the length with usual ones, because margins
+// stay: letters do not go back and forth.
+void StringPage::fitLetters() {
+    const QFont usual = font();
+    if (usual.pointSizeF() <= 0) return;  // given in pixels
+    QHeaderView* header = m_table->horizontalHeader();
+    header->resizeSections(QHeaderView::ResizeToContents);
+    const double wanted = header->length() * usual.pointSizeF() / m_table->font().pointSizeF();
+    QFont fitting = usual;
+    if (wanted > m_table->viewport()->width()) fitting.setPointSizeF(smallLetters * usual.pointSizeF());
+    if (m_table->font() != fitting) m_table->setFont(fitting);
+}
+
+void StringPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    fitLetters();
 }
 
 void StringPage::followSelection() {
@@ -152,6 +173,7 @@ void StringPage::followSelection() {
 
 void StringPage::setResult(const SolvedBlowPtr& blow) {
     m_model->present(blow);
+    fitLetters();
     say(m_refusal);
 }
 
@@ -234,9 +256,10 @@ QByteArray StringPage::csv() const {
         add(m_model->placeText(row), true);
         for (int column = 0; column < m_model->columnCount(); ++column) {
             const StringRow& at = m_model->rows()[std::size_t(row)];
-            const QString cell = column == StringModel::repeat
-                                     ? QString::number(at.repeat ? at.repeat->times : 1)
-                                     : m_model->index(row, column).data().toString();
+            const QString cell =
+                column == StringModel::repeat        ? QString::number(at.repeat ? at.repeat->times : 1)
+                : column == StringModel::sectionName ? at.name()
+                                                     : m_model->index(row, column).data().toString();
             add(cell == noNumber ? QString() : cell, false);
         }
         text += '\n';

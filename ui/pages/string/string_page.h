@@ -48,6 +48,7 @@ class StringPage : public Page {
 
   protected:
     QString answerText() const override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     QWidget* makeBar();
@@ -55,6 +56,7 @@ class StringPage : public Page {
     void fillTable();
     void followSelection();
     void showColumns();
+    void fitLetters();
     void say(const QString& refusal);
     QString contents() const;
     QString largestStresses() const;
