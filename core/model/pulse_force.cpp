@@ -60,16 +60,27 @@ void appendStaircase(PulseForce& force, double impedanceRatio) {
             {Kind::linear, static_cast<double>(n), 1, n == 0 ? 1 : std::exp(n * logarithm), 0});
 }
 
+/// Times of the points, from 0 to 1. Points that are closer than rounding have the same time: a jump, which a
+/// file gives by two values at one time.
+std::vector<double> timesOf(const TablePoints& points) {
+    constexpr double rounding = 1e-15;  // of the duration
+    const double least = rounding * (points.back().time - points.front().time);
+    std::vector<double> times{0};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double time = points[i].time - points.front().time;
+        times.push_back(time - times.back() > least ? time : times.back());
+    }
+    const double duration = times.back();
+    for (double& time : times) time /= duration;
+    return times;
+}
+
 /// The table from time 0 to 1; forces relative to the largest, so that no sum can overflow.
 void appendTable(PulseForce& force, const TablePoints& points) {
     const double largest = std::ranges::max(points, {}, &TablePoint::force).force;
-    const double origin = points.front().time;
-    const double duration = points.back().time - origin;
-    const auto time = [&](std::size_t i) {
-        return i + 1 == points.size() ? 1 : (points[i].time - origin) / duration;
-    };
+    const std::vector<double> times = timesOf(points);
     for (std::size_t i = 1; i < points.size(); ++i)
-        appendLine(force, time(i - 1), points[i - 1].force / largest, time(i), points[i].force / largest);
+        appendLine(force, times[i - 1], points[i - 1].force / largest, times[i], points[i].force / largest);
 }
 
 /// A time from the first point on in units of the last is wrong by two roundings and the slope to it by as

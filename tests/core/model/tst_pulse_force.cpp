@@ -84,6 +84,7 @@ class TestPulseForce : public QObject {
     void thePistonsStaircaseIsGeometric();
     void aPistonNoStifferThanTheRodGivesOneStep();
     void aVeryStiffPistonApproachesTheExponential();
+    void tableWithTwoValuesAtOneTime_jumpsThere();
     void aTableIsShiftedAndScaledToUnitTime();
     void aTableDoesNotDependOnItsUnits();
     void theReferenceCaseHasNoForce();
@@ -223,6 +224,16 @@ void TestPulseForce::aVeryStiffPistonApproachesTheExponential() {
     // At whole steps the impulses differ by the curvature of a step, 1/q².
     for (const double t : {0.1, 1.0, 3.0})
         QVERIFY(std::abs(steps.impulseUntil(t * ratio / 2) - smooth.impulseUntil(t)) < 1 / (ratio * ratio));
+}
+
+void TestPulseForce::tableWithTwoValuesAtOneTime_jumpsThere() {
+    // A file with two rows of one time is read with the second a rounding later.
+    const double first = std::nextafter(0.0, 1.0), last = std::nextafter(2e-4, 1.0);
+    const PulseForce force = pulseForceOf(table({{0, 0}, {first, 3}, {2e-4, 3}, {last, 0}}));
+    QCOMPARE(force.segments, pulseForceOf(table({{0, 3}, {2e-4, 3}})).segments);
+    const PulseForce step = pulseForceOf(table({{0, 1}, {1, 1}, {std::nextafter(1.0, 2.0), 2}, {4, 2}}));
+    QCOMPARE(step.segments.size(), std::size_t(2));
+    QCOMPARE(step.segments[1].start, 0.25);
 }
 
 void TestPulseForce::aTableIsShiftedAndScaledToUnitTime() {
