@@ -26,8 +26,8 @@ std::string identifiedComment(const IdentifyReport& report, const IdentifiedPara
     const std::string unitName = unit.name.empty() ? "" : " " + std::string(unit.name);
     std::string from = report.findings.main().file;
     from.erase(0, from.find_last_of('/') + 1);  // npos + 1 is 0
-    if (report.findings.records.size() > 1)
-        from = std::to_string(report.findings.records.size()) + " records";
+    if (const std::size_t count = report.findings.agreeingCount(); count > 1)
+        from = std::to_string(count) + " records";
     std::optional<double> low = parameter.low, high = parameter.high;
     for (const NextBlowParameter& next : report.findings.nextBlow)
         if (next.key == parameter.key) low = next.low, high = next.high;

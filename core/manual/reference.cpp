@@ -135,6 +135,12 @@ std::string item(const Message& label, std::string_view text, const ReadingStyle
     return text.empty() ? std::string() : "- " + style.said(label) + ": " + std::string(text) + "\n";
 }
 
+/// Ends a text with a full stop; texts of several sentences have one already.
+std::string stopped(std::string text) {
+    while (text.ends_with('.')) text.pop_back();
+    return text + ".";
+}
+
 std::string sentence(std::string_view meaning, const ReadingStyle& style) {
     std::string shown = style.patternFor(std::string(meaning));
     constexpr char twoBytes =
@@ -143,12 +149,12 @@ std::string sentence(std::string_view meaning, const ReadingStyle& style) {
     const auto letter = static_cast<unsigned char>(shown.size() > first ? shown[first] : 0);
     if (first == 0 ? letter >= 'a' && letter <= 'z' : letter >= 0xa0 && letter <= 0xbe)
         shown[first] = static_cast<char>(letter - ('a' - 'A'));
-    return shown + ".";
+    return stopped(std::move(shown));
 }
 
 std::string entry(const ParameterFacts& facts, const std::vector<std::string>& values,
                   const ReadingStyle& style) {
-    std::string text = heading(facts.key, facts.title) + facts.meaning + ".\n\n";
+    std::string text = heading(facts.key, facts.title) + stopped(facts.meaning) + "\n\n";
     text += item(translatable("unit"), facts.unit, style) + item(translatable("range"), facts.range, style) +
             item(translatable("usual"), facts.usual, style);
     for (const std::string& value : values) text += item(translatable("preset"), value, style);
@@ -159,7 +165,7 @@ std::string entry(const ParameterFacts& facts, const std::vector<std::string>& v
 // Returns the entry of a parameter whose value is a word, or true or false.
 std::string wordEntry(std::string_view key, const Message& meaning, std::string_view values,
                       const ReadingStyle& style) {
-    return heading(key, style.said(translatable("a word"))) + style.said(meaning) + ".\n\n" +
+    return heading(key, style.said(translatable("a word"))) + stopped(style.said(meaning)) + "\n\n" +
            item(translatable("one of"), values, style);
 }
 
@@ -264,7 +270,8 @@ std::string referenceOf(const Output& output, const ReadingStyle& style) {
     std::string text =
         heading(output.name, style.patternFor(std::string(output.title))) + sentence(output.meaning, style);
     if (!output.note.empty())
-        text += " " + style.said({translatable("In the window: %1."), {Message::ofTable(output.note)}});
+        text +=
+            " " + stopped(style.said({translatable("In the window: %1."), {Message::ofTable(output.note)}}));
     text += "\n\n";
     const std::string scale =
         output.isOnlySi() ? style.said(translatable("none: only in SI")) : std::string(scaleName(output));

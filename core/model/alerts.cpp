@@ -50,7 +50,8 @@ void addImplausiblePeak(const Scenario& scenario, std::vector<Alert>& alerts) {
     alerts.push_back({AlertLevel::warning,
                       AlertCode::implausibleValue,
                       "pulse.force",
-                      {{"value", peak, Quantity::force}}});
+                      {{"value", peak, Quantity::force}},
+                      translatable("largest force of the table")});
 }
 
 void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, const Section& section,

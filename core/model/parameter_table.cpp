@@ -222,7 +222,7 @@ constexpr std::array parameterTable{
               Quantity::force, "kN", drill_ranges::thrust, {500, 50e3}, linear, Scope::withUnits,
               [](const S& s) { return s.drill.thrust; }, [](S& s, double v) { s.drill.thrust = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.thrust.reset(); }}},
-    Parameter{"drill.machine_mass", "machine mass", "", "Mass that the feed moves besides the rod; used only with an inclination",
+    Parameter{"drill.machine_mass", "machine mass", "", "Mass that the feed moves besides the rod: its weight counts with an inclination, its inertia when consecutive blows are solved",
               Quantity::mass, "kg", drill_ranges::mass, {10, 5000}, logarithmic, Scope::withUnits,
               [](const S& s) { return s.drill.machineMass; }, [](S& s, double v) { s.drill.machineMass = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.machineMass.reset(); }}},

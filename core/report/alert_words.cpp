@@ -38,8 +38,9 @@ Message implausible(const Alert& alert, const ReadingStyle& style) {
     const KeptParameter parameter = isByRatio ? inScales(*named) : named;
     const auto end = [&](double value) { return style.quantity(value, parameter->quantity, 4); };
     return {translatable("The input %1 = %2 is outside its typical range, %3 to %4."),
-            {parameter->address ? labelMessage(*parameter, alert.subject)
-                                : titleMessage(*parameter, parameter->symbol),
+            {parameter->address        ? labelMessage(*parameter, alert.subject)
+             : alert.subject.isEmpty() ? titleMessage(*parameter, parameter->symbol)
+                                       : alert.subject,
              inUnit(alert, "value", style), end(parameter->plausible.low), end(parameter->plausible.high)}};
 }
 

@@ -159,9 +159,9 @@ Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
 
 std::vector<Message> drillingSentences(const DrillingReport& report, const ReadingStyle& style) {
     std::vector<Message> sentences{requiredFeedMessage(report.result.scenario, report.feed, style)};
-    std::ranges::move(sequenceSentences(report.result, style), std::back_inserter(sentences));
-    // The estimate and the blows may say the same, as where the machine is pushed back.
-    sentences.erase(std::ranges::unique(sentences).begin(), sentences.end());
+    const bool isSaid = report.result.outcome == DrillingOutcome::pushedBack && report.feed &&
+                        report.feed->state() == FeedState::pushedBack;
+    if (!isSaid) std::ranges::move(sequenceSentences(report.result, style), std::back_inserter(sentences));
     return sentences;
 }
 
@@ -211,13 +211,14 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
                     result.frequencyUsed);
     });
     const DrillingLedger& ledger = result.ledger;
-    object["ledger"] =
-        JsonObject{{"hammer", number(ledger.hammer, energy)}, {"feed", number(ledger.feed, energy)},
-                   {"rock", number(ledger.rock, energy)},     {"damper", number(ledger.damper, energy)},
-                   {"waves", number(ledger.waves, energy)},   {"faces", number(ledger.faces, energy)},
-                   {"stored", number(ledger.stored, energy)}};
-    object["momentum_residual"] = result.momentumResidual;
-    object["energy_residual"] = result.energyResidual;
+    const bool hasBlows = !result.blows.empty();
+    const auto part = [&](double value) { return hasBlows ? number(value, energy) : Json(); };
+    object["ledger"] = JsonObject{{"hammer", part(ledger.hammer)}, {"feed", part(ledger.feed)},
+                                  {"rock", part(ledger.rock)},     {"damper", part(ledger.damper)},
+                                  {"waves", part(ledger.waves)},   {"faces", part(ledger.faces)},
+                                  {"stored", part(ledger.stored)}};
+    object["momentum_residual"] = hasBlows ? Json(result.momentumResidual) : Json();
+    object["energy_residual"] = hasBlows ? Json(result.energyResidual) : Json();
     object["feed"] = feedJson(report.feed);
     object["sequence"] = sequenceJson(result, units);
     object["statement"] = inOneParagraph(drillingSentences(report));

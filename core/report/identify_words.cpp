@@ -130,11 +130,8 @@ Message lawWords(std::string_view law) {
 
 Message recordsSentence(const IdentifyFindings& findings, const ReadingStyle& style) {
     if (findings.records.size() < 2) return {};
-    const auto agreeing = std::ranges::count_if(findings.records, [](const RecordAnswer& record) {
-        return !record.refusal && record.model != ModelVerdict::rejected;
-    });
     const Message count{translatable("The model agrees with %1 of %2 records."),
-                        {std::to_string(agreeing), std::to_string(findings.records.size())}};
+                        {std::to_string(findings.agreeingCount()), std::to_string(findings.records.size())}};
     const auto next = std::ranges::find(findings.nextBlow, "bit_rock.stiffness", &NextBlowParameter::key);
     if (next == findings.nextBlow.end()) return count;
     const Message expected{

@@ -882,8 +882,8 @@ Trotzdem löschen?</translation>
         <translation>Masse am gesteinsseitigen Ende; beim letzten Abschnitt eines Strangs eine Masse der Bohrkrone</translation>
     </message>
     <message>
-        <source>Mass that the feed moves besides the rod; used only with an inclination</source>
-        <translation>Masse, die der Vorschub außer der Stange trägt; zählt, wo eine Neigung gegeben ist</translation>
+        <source>Mass that the feed moves besides the rod: its weight counts with an inclination, its inertia when consecutive blows are solved</source>
+        <translation>Masse, die der Vorschub außer der Stange bewegt: Ihr Gewicht zählt bei einer Neigung, ihre Trägheit bei der Berechnung aufeinanderfolgender Schläge</translation>
     </message>
     <message>
         <source>Mean hammer force, impulse over duration</source>
@@ -12986,6 +12986,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>No change of the rock&apos;s stiffness is seen from blow to blow: at the next blow, it will be between %1 and %2 (95 %).</source>
         <translation>Von Schlag zu Schlag ist keine Änderung der Steifigkeit zu sehen: Beim nächsten Schlag liegt sie zwischen %1 und %2 (95 %).</translation>
+    </message>
+    <message>
+        <source>largest force of the table</source>
+        <translation>größte Kraft der Tabelle</translation>
     </message>
 </context>
 <context>

@@ -882,8 +882,8 @@ Ta bort ändå?</translation>
         <translation>Massa samlad vid änden mot berget; för en strängs sista sektion en massa hos borrkronan</translation>
     </message>
     <message>
-        <source>Mass that the feed moves besides the rod; used only with an inclination</source>
-        <translation>Massa som matningen bär utöver stången; räknas där en lutning är angiven</translation>
+        <source>Mass that the feed moves besides the rod: its weight counts with an inclination, its inertia when consecutive blows are solved</source>
+        <translation>Massa som matningen flyttar utöver stången: dess tyngd räknas vid en lutning, dess tröghet när på varandra följande slag beräknas</translation>
     </message>
     <message>
         <source>Mean hammer force, impulse over duration</source>
@@ -12986,6 +12986,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>No change of the rock&apos;s stiffness is seen from blow to blow: at the next blow, it will be between %1 and %2 (95 %).</source>
         <translation>Ingen ändring av bergets styvhet syns från slag till slag: vid nästa slag ligger den mellan %1 och %2 (95 %).</translation>
+    </message>
+    <message>
+        <source>largest force of the table</source>
+        <translation>tabellens största kraft</translation>
     </message>
 </context>
 <context>

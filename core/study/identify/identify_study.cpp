@@ -135,6 +135,12 @@ const RecordAnswer& IdentifyFindings::main() const {
     return records.front();
 }
 
+std::size_t IdentifyFindings::agreeingCount() const {
+    return static_cast<std::size_t>(std::ranges::count_if(records, [](const RecordAnswer& record) {
+        return !record.refusal && record.model != ModelVerdict::rejected;
+    }));
+}
+
 bool IdentifyFindings::saysSomething() const {
     return std::any_of(records.begin(), records.end(),
                        [](const RecordAnswer& record) { return record.saysSomething(); });

@@ -55,6 +55,8 @@ struct IdentifyFindings {
     /// Returns the first record that is neither refused nor rejected. If there is none, returns the first
     /// that is not refused, otherwise the first.
     const RecordAnswer& main() const;
+    /// Returns the number of records with which the model agrees: neither refused nor rejected.
+    std::size_t agreeingCount() const;
     bool saysSomething() const;
 };
 

@@ -236,6 +236,7 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
             notSeen(answer.parameters[i], "no_contact");
         gap.verdict = ParameterVerdict::bounded;
         gap.low = std::max(0.0, force.advance);
+        gap.value = std::max(gap.value, *gap.low);
         gap.high.reset();
         return;
     }
