@@ -106,8 +106,9 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing* drawing) 
 
 const Command& identifyCommand() {
     static constexpr std::string_view details =
-        "Finds stiffness, elasticity (gamma) and gap of the rock from the waves that strain gauges record\n"
-        "on the rod, or on the last rod of a string. Prints the values with their 95 % intervals, what\n"
+        "Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock, from the\n"
+        "waves that strain gauges record on the rod, or on the last rod of a string. Prints the values with\n"
+        "their 95 % intervals, what\n"
         "limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law\n"
         "file. --known KEY=+-TOL states how well the inputs are known:\n"
         "  --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak\n"

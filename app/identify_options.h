@@ -17,7 +17,8 @@ namespace drillwave {
 std::vector<OptionSpec> identifyOptionSpecs();
 
 /// Returns the strain gauge that `word` describes as COLUMN@DISTANCE; `name` is its option, for messages.
-/// Throws CommandError: usage for another form; invalid scenario if the distance is not a positive length.
+/// Throws CommandError with the exit code of usage if the form is another one, and with that of an invalid
+/// scenario if the distance is not a positive length.
 GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word);
 
 /// Files of `identify`: the scenario, and the records of --signals in the order given.

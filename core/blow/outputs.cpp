@@ -264,7 +264,7 @@ constexpr auto drillTable = std::to_array<Output>({
                     Measure::number, "period of the motion"),
     row<&D::lyapunov>(lyapunovName,
                       "Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are "
-                      "not reproducible and only means count. Needs a second simulation of all blows",
+                      "not reproducible and only mean values count. Needs a second simulation of all blows",
                       Measure::number, "Lyapunov exponent"),
     row<&D::thrustNumber>("drill_thrust_number",
                           "effective feed force divided by the mean force of the blows (phi); below 1 the "

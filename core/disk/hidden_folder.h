@@ -56,8 +56,9 @@ class HiddenFolder {
     std::string newFile(const std::string& name) const { return newFolder() + "/" + name; }
     std::string oldFile(const std::string& name) const { return m_path + "/old/" + name; }
 
-    /// Writes the list of names into `new`, before the first file is moved. If this process dies before
-    /// endExchange(), the next run repairs the folder around. Returns an empty failure when done.
+    /// Writes the names of the files to be exchanged into the subfolder `new`, before the first file is
+    /// moved. If this process dies before endExchange(), the next run repairs the folder that contains this
+    /// hidden one. Returns an empty failure when done.
     WriteFailure beginExchange(const std::vector<std::string>& names);
     /// Ends an exchange of files: the list of names written by beginExchange() is removed. Requires that all
     /// files were moved, or none.

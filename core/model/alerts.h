@@ -66,8 +66,7 @@ struct Alert {
     AlertCode code = AlertCode::implausibleValue;
     std::string parameter;  ///< key of the parameter concerned; may be empty
     std::vector<AlertArgument> arguments;
-    Message subject =
-        {};  ///< name of what is concerned if it is no parameter, such as "3rd rod"; may be empty
+    Message subject = {};  ///< name of the section or table concerned, such as "3rd rod"; may be empty
     bool operator==(const Alert&) const = default;
 
     bool has(std::string_view argument) const;

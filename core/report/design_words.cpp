@@ -289,10 +289,10 @@ Message designWarning(const DesignReport& report, const DesignNames& names) {
                           : Message(translatable("Warning for %1: %2"),
                                     {names.design(*report.findings.recommended), std::move(text)});
     if (alerts.size() > 1)
-        warning = {
-            "%1 %2",
-            {std::move(warning), counted(alerts.size() - 1, translatable("This design has %1 more warning."),
-                                         translatable("This design has %1 more warnings."))}};
+        warning = {"%1 %2",
+                   {std::move(warning),
+                    {translatable("Besides this warning, the design has %1 more."),
+                     {std::to_string(alerts.size() - 1)}}}};
     return warning;
 }
 

@@ -185,7 +185,7 @@ std::pair<StudyPanel, StudyPanel> scanPanels(const ShownScan& shown) {
               .isFromZero = true},
         .series = {drawn(curves.rate, translatable("penetration rate"), SeriesRole::result,
                          SeriesPoints::joined),
-                   drawn(curves.bouncing, translatable("also possible: bouncing rod"), SeriesRole::result,
+                   drawn(curves.bouncing, translatable("if the rod bounces"), SeriesRole::result,
                          SeriesPoints::apart),
                    drawn(curves.contact, translatable("blows in contact"), SeriesRole::second),
                    drawn(rateOf(shown.constantForce), translatable("constant force"), SeriesRole::third),
@@ -214,15 +214,15 @@ StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan,
     if (scan)
         figure.caption.push_back({scan->isOld ? translatable("scan of an earlier scenario: scan again")
                                               : translatable("strip: 95 % error of the penetration rate")});
-    if (sequence) figure.caption.push_back({translatable("shaded: blows averaged")});
+    if (sequence) figure.caption.push_back({translatable("shaded: blows that are averaged")});
     if (sequence && isDetailed)
         figure.caption.push_back({translatable("gap and next gap: a projection from more dimensions")});
     std::optional<std::pair<StudyPanel, StudyPanel>> scanned;
     if (scan) scanned = scanPanels(*scan);
     if (scanned && !scanned->first.bands.empty())
         figure.caption.push_back(
-            {translatable("feeds: f I₀ mean blow force, f I₀(1+e) required, f I₀(1+2e) "
-                          "returns an undamped rod before the next blow")});
+            {translatable("feeds: f I₀ mean blow force, f I₀(1+e) required, f I₀(1+2e) returns an undamped "
+                          "rod before the next blow")});
     for (const std::size_t row : {0, 0, 1, 1, 2, 2, 2})
         figure.panels.push_back({.row = row, .hasOwnY = true, .isHidden = true});
     const auto show = [&](DrillingPanel which, StudyPanel panel) {

@@ -92,8 +92,9 @@ Message identifySentence(const RecordAnswer& answer) {
     const bool hasGamma = isKnownOnBothSides(answer.find("bit_rock.gamma"));
     const bool hasGap = isKnownOnBothSides(answer.find("bit_rock.gap"));
     const char* known =
-        hasStiffness && hasGamma && hasGap
-            ? translatable("The record determines stiffness, elasticity (gamma) and gap of the rock.")
+        hasStiffness && hasGamma && hasGap ? translatable(
+                                                 "The record determines stiffness and elasticity (gamma) of "
+                                                 "the rock, and the gap between bit and rock.")
         : hasStiffness && hasGamma ? translatable(
                                          "Stiffness and elasticity (gamma) of the rock are known, but the "
                                          "gap between bit and rock is not.")

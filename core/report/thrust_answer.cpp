@@ -235,14 +235,15 @@ StudyFigure thrustFigure(const ThrustReport& report) {
                                   FeedState::requiredAtThisGap, FeedState::requiredMet, FeedState::returnMet})
         panel.layers.names.push_back(Message::ofTable(feedWord(state)));
     panel.series.push_back(std::move(feed));
-    return {.caption = {{translatable(
-                "Each strip runs from the required feed force to the one for return in time.")}},
-            .panels = {panel},
-            .summary = {{translatable("Feed force over %1, for %2. Each strip runs from the required feed "
-                                      "force to the one for return in time. The shades behind the strips "
-                                      "show what a feed force does for the rebound of this blow."),
-                         {{.words = labelMessage(*axis.parameter)}, {.words = inOneLine(std::move(cases))}}}},
-            .paperHeight = 120};
+    return {
+        .caption = {{translatable(
+            "Each strip runs from the required feed force to the one that returns the rod in time.")}},
+        .panels = {panel},
+        .summary = {{translatable("Feed force over %1, for %2. Each strip runs from the required feed force "
+                                  "to the one that returns the rod in time. The shades behind the strips "
+                                  "show what a feed force does for the rebound of this blow."),
+                     {{.words = labelMessage(*axis.parameter)}, {.words = inOneLine(std::move(cases))}}}},
+        .paperHeight = 120};
 }
 
 const Study& thrustStudy() {

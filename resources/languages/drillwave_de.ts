@@ -2542,7 +2542,7 @@ Trotzdem löschen?</translation>
         <translation>Median des Spalts zwischen Bohrkrone und Gestein zu Beginn der Schläge</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only mean values count. Needs a second simulation of all blows</source>
         <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag; über 0 sind einzelne Schläge nicht reproduzierbar, und nur Mittelwerte zählen. Braucht eine zweite Simulation aller Schläge</translation>
     </message>
     <message>
@@ -3383,8 +3383,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Der Messstreifen %1 ist nicht auf einem gleichmäßigen Abschnitt der Stange oder des Strangs: Berichtigen Sie seinen Abstand von der Bohrkrone.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
-        <translation>Die Seite Identifizieren bestimmt Steifigkeit, Elastizität und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
+        <source>Identify reads stiffness and elasticity of the rock, and the gap between bit and rock, from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
+        <translation>Die Seite Identifizieren bestimmt Steifigkeit und Elastizität des Gesteins und den Spalt zwischen Bohrkrone und Gestein aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
     </message>
     <message>
         <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
@@ -4363,8 +4363,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Anhalten %1/%2</translation>
     </message>
     <message>
-        <source>Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
-        <translation>Andruck durch mittlere Kraft der Schläge φ = %1; %2 Hin- und Rückläufe einer Welle zwischen zwei Schlägen</translation>
+        <source>Feed force / mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
+        <translation>Andruck / mittlere Kraft der Schläge φ = %1; %2 Hin- und Rückläufe einer Welle zwischen zwei Schlägen</translation>
     </message>
     <message>
         <source>No scan: %1</source>
@@ -4395,8 +4395,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Die Schläge werden einer nach dem anderen verfolgt …</translation>
     </message>
     <message>
-        <source>; in contact means within %1 of the rock; %2</source>
-        <translation>; im Kontakt heißt höchstens %1 vom Gestein; %2</translation>
+        <source>; &quot;in contact&quot; means within %1 of the rock; %2</source>
+        <translation>; „im Kontakt“ heißt höchstens %1 vom Gestein; %2</translation>
     </message>
     <message>
         <source>Details</source>
@@ -5217,8 +5217,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::IdentifyPage</name>
     <message>
-        <source>law of the rock</source>
-        <translation>Gesetz des Gesteins</translation>
+        <source>force–penetration</source>
+        <translation>Kraft–Eindringung</translation>
     </message>
     <message>
         <source>The loading curve that is fitted</source>
@@ -11416,8 +11416,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Anteil je Klasse</translation>
     </message>
     <message>
-        <source>share below</source>
-        <translation>Anteil darunter</translation>
+        <source>share with a smaller value</source>
+        <translation>Anteil mit kleinerem Wert</translation>
     </message>
     <message>
         <source>super rebound, e &gt; 1</source>
@@ -11756,8 +11756,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Aufzeichnung stimmt mit einem Gestein überein, dessen Kraft beim Eindringen längs einer einzigen Geraden steigt.</translation>
     </message>
     <message>
-        <source>The record determines stiffness, elasticity (gamma) and gap of the rock.</source>
-        <translation>Die Aufzeichnung bestimmt Steifigkeit, Elastizität (gamma) und Spalt des Gesteins.</translation>
+        <source>The record determines stiffness and elasticity (gamma) of the rock, and the gap between bit and rock.</source>
+        <translation>Die Aufzeichnung bestimmt Steifigkeit und Elastizität (gamma) des Gesteins und den Spalt zwischen Bohrkrone und Gestein.</translation>
     </message>
     <message>
         <source>Stiffness and elasticity (gamma) of the rock are known, but the gap between bit and rock is not.</source>
@@ -12384,12 +12384,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Andruck</translation>
     </message>
     <message>
-        <source>Each strip runs from the required feed force to the one for return in time.</source>
-        <translation>Jeder Streifen reicht vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr.</translation>
-    </message>
-    <message>
-        <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one for return in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
-        <translation>Andruck über %1, für %2. Jeder Streifen reicht vom erforderlichen Andruck bis zu dem für rechtzeitige Rückkehr. Die Töne dahinter zeigen, was ein Andruck beim Rückprall dieses Schlags bewirkt.</translation>
+        <source>Each strip runs from the required feed force to the one that returns the rod in time.</source>
+        <translation>Jeder Streifen reicht vom erforderlichen Andruck bis zu dem, der die Stange rechtzeitig zurückbringt.</translation>
     </message>
     <message>
         <source>W and E₀ are the work of the force on the string.</source>
@@ -12536,12 +12532,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Wahl von %1 macht für Zielgrößen und Grenzen keinen Unterschied.</translation>
     </message>
     <message>
-        <source>This design has %1 more warning.</source>
-        <translation>Diese Auslegung hat %1 weitere Warnung.</translation>
-    </message>
-    <message>
-        <source>This design has %1 more warnings.</source>
-        <translation>Diese Auslegung hat %1 weitere Warnungen.</translation>
+        <source>Besides this warning, the design has %1 more.</source>
+        <translation>Außer dieser Warnung hat die Auslegung %1 weitere.</translation>
     </message>
     <message>
         <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
@@ -12588,8 +12580,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Energieanteil</translation>
     </message>
     <message>
-        <source>also possible: bouncing rod</source>
-        <translation>auch möglich: springende Stange</translation>
+        <source>if the rod bounces</source>
+        <translation>wenn die Stange springt</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12608,7 +12600,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Streifen: 95-%-Fehler des Bohrfortschritts</translation>
     </message>
     <message>
-        <source>shaded: blows averaged</source>
+        <source>shaded: blows that are averaged</source>
         <translation>schattiert: gemittelte Schläge</translation>
     </message>
     <message>
@@ -12990,6 +12982,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>largest force of the table</source>
         <translation>größte Kraft der Tabelle</translation>
+    </message>
+    <message>
+        <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one that returns the rod in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
+        <translation>Andruck über %1, für %2. Jeder Streifen reicht vom erforderlichen Andruck bis zu dem, der die Stange rechtzeitig zurückbringt. Die Töne dahinter zeigen, was ein Andruck beim Rückprall dieses Schlags bewirkt.</translation>
     </message>
 </context>
 <context>
@@ -14186,9 +14182,9 @@ Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannu
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>At %1 in the blow: %2 and %3
+        <source>At %1, during the blow: %2 and %3
 in the residual waves: %4 and %5</source>
-        <translation>Bei %1 im Schlag: %2 und %3
+        <translation>Bei %1, während des Schlags: %2 und %3
 der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
@@ -14196,9 +14192,9 @@ der verbleibenden Wellen: %4 und %5</translation>
         <translation>Stange</translation>
     </message>
     <message>
-        <source>At %1 in the blow: %2 and %3
+        <source>At %1, during the blow: %2 and %3
 in %4</source>
-        <translation>Bei %1 im Schlag: %2 und %3
+        <translation>Bei %1, während des Schlags: %2 und %3
 in %4</translation>
     </message>
     <message>
@@ -16269,7 +16265,7 @@ Kolbenschlägen.</translation>
         <translation>Zahl der Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wenn sie sich nicht wiederholt</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only mean values count. Needs a second simulation of all blows</source>
         <translation>Lyapunov-Exponent: Wachstum einer kleinen Störung je Schlag; über 0 sind einzelne Schläge nicht reproduzierbar, und nur Mittelwerte zählen. Braucht eine zweite Simulation aller Schläge</translation>
     </message>
     <message>
@@ -16786,8 +16782,9 @@ es weitere geben kann. Ergibt kein Wert X, gibt es den Wert aus, der am nächste
 haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>Finds stiffness, elasticity (gamma) and gap of the rock from the waves that strain gauges record
-on the rod, or on the last rod of a string. Prints the values with their 95 % intervals, what
+        <source>Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock, from the
+waves that strain gauges record on the rod, or on the last rod of a string. Prints the values with
+their 95 % intervals, what
 limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law
 file. --known KEY=+-TOL states how well the inputs are known:
   --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak
@@ -16800,7 +16797,8 @@ identify.json and, for several records, records.csv. Exit code 0: stiffness or g
 Exit code 6: neither is known, or the record contradicts the model. The intervals can be too
 narrow if the rock does not load along one straight line and unload along another (commands
 §4.17).</source>
-        <translation>Bestimmt Steifigkeit, Elastizität (gamma) und Spalt des Gesteins aus den Wellen, die
+        <translation>Bestimmt Steifigkeit und Elastizität (gamma) des Gesteins und den Spalt zwischen Bohrkrone und
+Gestein aus den Wellen, die
 Dehnungsmessstreifen auf der Stange oder auf der letzten Stange eines Strangs aufzeichnen. Gibt
 die Werte mit ihren 95&#xa0;%-Intervallen aus, was ihre Genauigkeit begrenzt und was besser zu messen
 ist. bit_rock von FILE wird nur mit --law file verwendet. --known KEY=+-TOL sagt, wie genau die

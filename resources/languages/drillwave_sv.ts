@@ -2542,7 +2542,7 @@ Ta bort ändå?</translation>
         <translation>median av spalten mellan borrkrona och berg när slagen börjar</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only mean values count. Needs a second simulation of all blows</source>
         <translation>Lyapunovexponent: tillväxt av en liten störning per slag; över 0 är enstaka slag inte reproducerbara, och bara medelvärden gäller. Kräver en andra simulering av alla slag</translation>
     </message>
     <message>
@@ -3383,8 +3383,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Givare %1 sitter inte på en likformig sektion av stången eller strängen: rätta dess avstånd från borrkronan.</translation>
     </message>
     <message>
-        <source>Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
-        <translation>Sidan Identifiera bestämmer bergets styvhet, elasticitet och spalt ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
+        <source>Identify reads stiffness and elasticity of the rock, and the gap between bit and rock, from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
+        <translation>Sidan Identifiera bestämmer bergets styvhet och elasticitet och spalten mellan borrkrona och berg ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
     </message>
     <message>
         <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
@@ -4363,8 +4363,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Stoppa %1/%2</translation>
     </message>
     <message>
-        <source>Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
-        <translation>Matningskraft genom slagens medelkraft φ = %1; en våg gör %2 varv mellan två slag</translation>
+        <source>Feed force / mean force of the blows φ = %1; %2 round trips of a wave between two blows</source>
+        <translation>Matningskraft / slagens medelkraft φ = %1; en våg gör %2 varv mellan två slag</translation>
     </message>
     <message>
         <source>No scan: %1</source>
@@ -4395,8 +4395,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Slagen följs ett efter ett …</translation>
     </message>
     <message>
-        <source>; in contact means within %1 of the rock; %2</source>
-        <translation>; i kontakt är inom %1 från berget; %2</translation>
+        <source>; &quot;in contact&quot; means within %1 of the rock; %2</source>
+        <translation>; ”i kontakt” betyder högst %1 från berget; %2</translation>
     </message>
     <message>
         <source>Details</source>
@@ -5217,8 +5217,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::IdentifyPage</name>
     <message>
-        <source>law of the rock</source>
-        <translation>bergets lag</translation>
+        <source>force–penetration</source>
+        <translation>kraft–inträngning</translation>
     </message>
     <message>
         <source>The loading curve that is fitted</source>
@@ -11416,8 +11416,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>andel per klass</translation>
     </message>
     <message>
-        <source>share below</source>
-        <translation>andel under</translation>
+        <source>share with a smaller value</source>
+        <translation>andel med mindre värde</translation>
     </message>
     <message>
         <source>super rebound, e &gt; 1</source>
@@ -11756,8 +11756,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mätningen stämmer med ett berg vars kraft stiger längs en enda rät linje när kronan tränger in.</translation>
     </message>
     <message>
-        <source>The record determines stiffness, elasticity (gamma) and gap of the rock.</source>
-        <translation>Mätningen bestämmer bergets styvhet, elasticitet (gamma) och spalt.</translation>
+        <source>The record determines stiffness and elasticity (gamma) of the rock, and the gap between bit and rock.</source>
+        <translation>Mätningen bestämmer bergets styvhet och elasticitet (gamma) och spalten mellan borrkrona och berg.</translation>
     </message>
     <message>
         <source>Stiffness and elasticity (gamma) of the rock are known, but the gap between bit and rock is not.</source>
@@ -12384,12 +12384,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>matningskraft</translation>
     </message>
     <message>
-        <source>Each strip runs from the required feed force to the one for return in time.</source>
-        <translation>Varje band går från matningskraften som krävs till den för återkomst i tid.</translation>
-    </message>
-    <message>
-        <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one for return in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
-        <translation>Matningskraft över %1, för %2. Varje band går från matningskraften som krävs till den för återkomst i tid. Tonerna bakom banden visar vad en matningskraft gör vid detta slags studs.</translation>
+        <source>Each strip runs from the required feed force to the one that returns the rod in time.</source>
+        <translation>Varje band går från matningskraften som krävs till den som för tillbaka stången i tid.</translation>
     </message>
     <message>
         <source>W and E₀ are the work of the force on the string.</source>
@@ -12536,12 +12532,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Valet av %1 gör ingen skillnad för målstorheter och gränser.</translation>
     </message>
     <message>
-        <source>This design has %1 more warning.</source>
-        <translation>Denna konstruktion har %1 varning till.</translation>
-    </message>
-    <message>
-        <source>This design has %1 more warnings.</source>
-        <translation>Denna konstruktion har %1 varningar till.</translation>
+        <source>Besides this warning, the design has %1 more.</source>
+        <translation>Utöver denna varning har konstruktionen %1 till.</translation>
     </message>
     <message>
         <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
@@ -12588,8 +12580,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>energiandel</translation>
     </message>
     <message>
-        <source>also possible: bouncing rod</source>
-        <translation>också möjligt: studsande stång</translation>
+        <source>if the rod bounces</source>
+        <translation>om stången studsar</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12608,8 +12600,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>band: 95 %-fel för borrsjunkningen</translation>
     </message>
     <message>
-        <source>shaded: blows averaged</source>
-        <translation>skuggat: slag som medelvärdet bildas över</translation>
+        <source>shaded: blows that are averaged</source>
+        <translation>skuggat: slag som ingår i medelvärdet</translation>
     </message>
     <message>
         <source>gap and next gap: a projection from more dimensions</source>
@@ -12961,7 +12953,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>feeds: f I₀ mean blow force, f I₀(1+e) required, f I₀(1+2e) returns an undamped rod before the next blow</source>
-        <translation>matningskrafter: f I₀ slagens medelkraft, f I₀(1+e) krävs, f I₀(1+2e) för en odämpad stång tillbaka före nästa slag</translation>
+        <translation>matningskrafter: f I₀ slagens medelkraft, f I₀(1+e) krävs, f I₀(1+2e) för tillbaka en odämpad stång före nästa slag</translation>
     </message>
     <message>
         <source>fully elastic rock (gamma = 1), worst gap</source>
@@ -12990,6 +12982,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>largest force of the table</source>
         <translation>tabellens största kraft</translation>
+    </message>
+    <message>
+        <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one that returns the rod in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
+        <translation>Matningskraft över %1, för %2. Varje band går från matningskraften som krävs till den som för tillbaka stången i tid. Tonerna bakom banden visar vad en matningskraft gör vid detta slags studs.</translation>
     </message>
 </context>
 <context>
@@ -14186,9 +14182,9 @@ Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där
         <translation>%1 vid %2</translation>
     </message>
     <message>
-        <source>At %1 in the blow: %2 and %3
+        <source>At %1, during the blow: %2 and %3
 in the residual waves: %4 and %5</source>
-        <translation>Vid %1 i slaget: %2 och %3
+        <translation>Vid %1, under slaget: %2 och %3
 av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
@@ -14196,9 +14192,9 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <translation>Stång</translation>
     </message>
     <message>
-        <source>At %1 in the blow: %2 and %3
+        <source>At %1, during the blow: %2 and %3
 in %4</source>
-        <translation>Vid %1 i slaget: %2 och %3
+        <translation>Vid %1, under slaget: %2 och %3
 i %4</translation>
     </message>
     <message>
@@ -16264,7 +16260,7 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
         <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 om den inte upprepas</translation>
     </message>
     <message>
-        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only means count. Needs a second simulation of all blows</source>
+        <source>Lyapunov exponent: growth of a small disturbance per blow; above 0, single blows are not reproducible and only mean values count. Needs a second simulation of all blows</source>
         <translation>Lyapunovexponent: tillväxt av en liten störning per slag; över 0 är enstaka slag inte reproducerbara, och bara medelvärden gäller. Kräver en andra simulering av alla slag</translation>
     </message>
     <message>
@@ -16776,8 +16772,9 @@ det kan finnas fler. Om inget värde ger X skrivs det värde som kommer närmast
 enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>Finds stiffness, elasticity (gamma) and gap of the rock from the waves that strain gauges record
-on the rod, or on the last rod of a string. Prints the values with their 95 % intervals, what
+        <source>Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock, from the
+waves that strain gauges record on the rod, or on the last rod of a string. Prints the values with
+their 95 % intervals, what
 limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law
 file. --known KEY=+-TOL states how well the inputs are known:
   --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak
@@ -16790,7 +16787,8 @@ identify.json and, for several records, records.csv. Exit code 0: stiffness or g
 Exit code 6: neither is known, or the record contradicts the model. The intervals can be too
 narrow if the rock does not load along one straight line and unload along another (commands
 §4.17).</source>
-        <translation>Bestämmer bergets styvhet, elasticitet (gamma) och spalt ur de vågor som töjningsgivare
+        <translation>Bestämmer bergets styvhet och elasticitet (gamma) och spalten mellan borrkrona och berg ur de
+vågor som töjningsgivare
 registrerar på stången, eller på den sista stången i en sträng. Skriver ut värdena med deras 95
 %-intervall, vad som begränsar noggrannheten och vad som bör mätas bättre. bit_rock i FILE används
 bara med --law file. --known KEY=+-TOL anger hur väl indata är kända:

@@ -61,7 +61,8 @@ inline constexpr double mostDrillingWork = 4e9;
 /// Length of a sequence of blows, and selection of the data recorded.
 struct RecordLength {
     long blows;
-    /// Maximum work [cells × nodes]. A sequence estimated to need more is abandoned after its first blows.
+    /// Largest amount of computing [time steps × nodes of the network of waves]. A sequence estimated to need
+    /// more is abandoned after its first blows.
     double mostWork = mostDrillingWork;
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};

@@ -39,7 +39,7 @@ struct MisfitFound {
 };
 
 struct FitErrors {
-    /// Half-widths (95 %) of the unknowns from noise, zero lines, dispersion and bending.
+    /// Half-widths (95 %) of the unknowns from noise, with zero lines, dispersion and bending fitted as well.
     Eigen::VectorXd noise;
     Eigen::MatrixXd draws;  ///< change of each unknown (row) for each simulated noise record (column)
     std::vector<BudgetEffect> budget;

@@ -191,8 +191,9 @@ class LossyLine {
     /// Returns the integral ∫b² dt of the square of the wave b in the section, over the time that the wave
     /// takes to pass, in units of F0² t0.
     double square() const { return m_square - headEnergy(); }
-    /// Returns Z times the energy that the wave b has lost since the last fill(), in units of F0² t0:
-    /// ∫2λ(Q − B²/2T) dt with Q = ∫b² dt and B = ∫b dt, plus the losses by projection.
+    /// Returns Z times the energy that the wave b has lost since the last fill(), in units of F0² t0. It is
+    /// ∫2λ(Q − B²/2T) dt, with the loss rate λ of the line, its transit time T, Q = ∫b² dt and B = ∫b dt,
+    /// plus what the projection of the wave to cubics loses.
     double lost() const { return m_lost + headEnergy(); }
 
     // Functions that compare and move states

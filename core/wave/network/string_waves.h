@@ -32,8 +32,7 @@ struct WaveAtPlace {
     /// Factor by which attenuation has reduced the wave's amplitude at this position; 0 … 1.
     double kept;
 
-    /// Returns the time t/t0 at which the wave that entered the piece at the clock reading zero arrives at
-    /// this position.
+    /// Returns the time t/t0 at which the beginning of the recorded wave, `cells`, arrives at this position.
     double zero() const { return rearTime + delay; }
 };
 

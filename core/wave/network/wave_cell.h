@@ -176,7 +176,8 @@ enum class CutAt {
 struct CellJump {
     /// Whether there is a point at which all cells (time steps) are to be cut.
     bool found = false;
-    /// Position of the cut as a fraction of the cell (time step), 0 … 1.
+    /// Point at which the cells (time steps) are to be cut, as a fraction of a cell from its beginning, 0
+    /// … 1.
     double place = 0;
 
     /// Records an event at the fraction `at` of the cell (time step) as the point to cut. It is ignored if

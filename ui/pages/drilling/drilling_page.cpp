@@ -263,12 +263,12 @@ QStringList DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     const LocalStyle style = LocalStyle::of(document().units());
     QStringList sentences = translatedEach(sequenceSentences(result, style));
     QString numbers =
-        tr("Feed force over mean force of the blows φ = %1; %2 round trips of a wave between two blows")
+        tr("Feed force / mean force of the blows φ = %1; %2 round trips of a wave between two blows")
             .arg(numberText(result.groups.phi, 4, locale()),
                  numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
         numbers +=
-            tr("; in contact means within %1 of the rock; %2")
+            tr("; \"in contact\" means within %1 of the rock; %2")
                 .arg(QString::fromStdString(style.quantity(
                          contactLimit / lawUnitOfPenetration * result.units.length(), Quantity::length, 2)),
                      translated(motionWords(result)));

@@ -49,7 +49,7 @@ Choice chosen(const ChoiceBox& box) {
 IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_gauges(new GaugeFields(this)),
-      m_law(makeChoice("law", tr("law of the rock"), tr("The loading curve that is fitted"),
+      m_law(makeChoice("law", tr("force–penetration"), tr("The loading curve that is fitted"),
                        {tr("automatic"), tr("one line"), tr("yields once"), tr("that of the scenario")})),
       m_side(new QWidget(this)),
       m_records(new RecordList(m_side)),
@@ -63,7 +63,7 @@ IdentifyPage::IdentifyPage(Document& document, QWidget* parent)
     m_records->hide();
     showSide(false);
     PlotWidget* plot = arrange(
-        {makeRecordBox(), m_gauges, labelled(tr("law of the rock"), m_law, this), makeKnownBox()}, m_side);
+        {makeRecordBox(), m_gauges, labelled(tr("force–penetration"), m_law, this), makeKnownBox()}, m_side);
     stackBelow(narrowPage);
     setLeastLines(rowsOfPlots);
     m_frame = new FigureFrame(plot);

@@ -37,8 +37,8 @@ QString missingIn(const RecordQuestion& question) {
             "newtons. Edit ▸ Make a rig of these groups makes one.");
     if (question.paths.isEmpty())
         return tr(
-            "Identify reads stiffness, elasticity and gap of the rock from strain gauges on the rod. Open a "
-            "record of one blow, or of several blows along a hole.");
+            "Identify reads stiffness and elasticity of the rock, and the gap between bit and rock, from "
+            "strain gauges on the rod. Open a record of one blow, or of several blows along a hole.");
     if (question.gauges.empty()) return tr("Choose the column of the gauge.");
     for (const GaugeChoice& gauge : question.gauges) {
         if (!(gauge.distance > 0))

@@ -152,11 +152,11 @@ void RodPage::showReadout() {
     const QString place = placeText(*m_blow, m_observation.section());
     if (shown->string) {
         const RodStretch& in = shown->string->stretches[shown->string->sectionAt(m_observation.section())];
-        return m_readout->setText(tr("At %1 in the blow: %2 and %3\nin %4")
+        return m_readout->setText(tr("At %1, during the blow: %2 and %3\nin %4")
                                       .arg(place, words(Load::compression), words(Load::tension), in.words) +
                                   strengthText(shown->string->sectionAt(m_observation.section())));
     }
-    m_readout->setText(tr("At %1 in the blow: %2 and %3\nin the residual waves: %4 and %5")
+    m_readout->setText(tr("At %1, during the blow: %2 and %3\nin the residual waves: %4 and %5")
                            .arg(place, words(Load::compression), words(Load::tension),
                                 words(Load::compressionAfter), words(Load::tensionAfter)));
 }

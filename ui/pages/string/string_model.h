@@ -50,8 +50,8 @@ class StringModel : public QAbstractTableModel {
     static bool isOccasional(int column) {
         return column >= presetName || column == massAfter || column == attenuation || column == reflected;
     }
-    /// Returns whether any section has a value other than 0 in an occasional column that need not be asked
-    /// for. Strengths must be.
+    /// Returns whether any section has a value other than 0 in an occasional column. False for strengths,
+    /// which are shown only with all columns.
     bool isUsed(int column) const;
 
     /// Shows the results of a blow in the last columns; nullptr before the first blow.
