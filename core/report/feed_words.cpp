@@ -61,7 +61,7 @@ class EstimateMessage {
                                        "an undamped rod to the rock before the next blow, whatever the gap "
                                        "(this requires %2).")
                         : translatable("A feed force of %1 is enough for this blow and for rigid rock, and "
-                                       "even returns an undamped rod to the rock in time (%2 required); "
+                                       "even returns an undamped rod to the rock in time, which requires %2; "
                                        "other gaps between bit and rock were not examined."),
                     {installed(largest.thrustUndamped), required(largest.thrustUndamped)}};
         }

@@ -6029,7 +6029,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>elastic, worst gap</source>
-        <translation>elastisch, ungünstigster Spalt</translation>
+        <translation>elastisch, größter Bedarf</translation>
     </message>
     <message>
         <source>Mean force that balances a blow which starts at rest on the rock</source>
@@ -12730,8 +12730,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag. Er bringt sogar eine ungedämpfte Stange bei jedem Spalt vor dem nächsten Schlag zurück ans Gestein, was %2 erfordert.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time, which requires %2; other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück, was %2 erfordert; andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
         <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>

@@ -6029,7 +6029,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>elastic, worst gap</source>
-        <translation>elastiskt, ogynnsammaste spalt</translation>
+        <translation>elastiskt, störst behov</translation>
     </message>
     <message>
         <source>Mean force that balances a blow which starts at rest on the rock</source>
@@ -12730,8 +12730,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Matningskraften %1 räcker för varje enskilt slag. Den för till och med en odämpad stång tillbaka till berget före nästa slag vid varje spel, vilket kräver %2.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time (%2 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg och för till och med en odämpad stång tillbaka till berget i tid (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time, which requires %2; other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg och för till och med en odämpad stång tillbaka till berget i tid, vilket kräver %2; andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
         <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>

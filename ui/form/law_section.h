@@ -16,8 +16,8 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Rows of the bit-rock law in the grid of that section. The law's other values have rows of type
-/// ParameterRow.
+/// Rows of the form for the choice of the bit-rock law and for its corners. Other values of the law, such as
+/// its stiffness, have a ParameterRow each.
 class LawSection : public QObject {
     Q_OBJECT
 

@@ -35,7 +35,7 @@ struct PointTask {
     std::vector<double> shares;
     std::vector<LinePoint> points;
     std::uint64_t solves = 0;
-    /// Work of all blows of this task: wave pieces, or cells of the method of drill strings.
+    /// Computing work of all blows of this task: wave pieces, or cells of the method of drill strings.
     long effort = 0;
 };
 

@@ -23,7 +23,6 @@ AnswerTable::AnswerTable(const QString& accessibleName, QWidget* parent) : QTabl
     setEditTriggers(NoEditTriggers);
     setTabKeyNavigation(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // scrolled, never cut
-    horizontalHeader()->setStretchLastSection(true);
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setWordWrap(false);
@@ -48,6 +47,20 @@ void AnswerTable::present(const StudyTable& table) {
         }
     }
     if (isOther) updateGeometry();
+    stretch();
+}
+
+// A last column that stretches also shrinks where there is no room.
+void AnswerTable::stretch() {
+    QHeaderView& header = *horizontalHeader();
+    header.setStretchLastSection(false);
+    header.resizeSections(QHeaderView::ResizeToContents);
+    header.setStretchLastSection(header.length() <= viewport()->width());
+}
+
+void AnswerTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    stretch();
 }
 
 // All rows in view, whatever the font.

@@ -20,7 +20,11 @@ class AnswerTable : public QTableWidget {
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void stretch();
     int heightOf(int contents) const;
 };
 

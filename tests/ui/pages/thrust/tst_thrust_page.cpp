@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page Thrust: the numbers of the command, the feed in the hand, and what it says where something lacks.
+#include <QHeaderView>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QSettings>
@@ -56,6 +57,7 @@ class TestThrustPage : public QObject {
     void whatLacksIsEnteredInTheUnitsOfTheForm();
     void itIsNotThereWithoutUnitsAndKeepsItsChoice();
     void bandsEndAtTheAxes();
+    void columnsOfTheTable_areNotCutInANarrowPage();
     void aStringIsToldOfItsBlowAndRigidRock();
     void aStringsExportIsWhatTheCopiedCommandWrites_data();
     void aStringsExportIsWhatTheCopiedCommandWrites();
@@ -445,6 +447,17 @@ QStringList TestThrustPage::legendNames() const {
 }
 
 // Its gaps have no period: what counts them is not there, and the page says why.
+void TestThrustPage::columnsOfTheTable_areNotCutInANarrowPage() {
+    const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("answerTable"));
+    m_page->resize(320, 700);
+    QCoreApplication::processEvents();
+    QHeaderView* header = table->horizontalHeader();
+    QVERIFY(header->count() > 0);
+    for (int column = 0; column < header->count(); ++column)
+        QVERIFY2(header->sectionSize(column) >= header->sectionSizeHint(column),
+                 qPrintable(QString::number(column)));
+}
+
 void TestThrustPage::aStringIsToldOfItsBlowAndRigidRock() {
     openString();
     QVERIFY(m_page->shows(m_document->scenario()));
