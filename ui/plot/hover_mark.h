@@ -22,9 +22,9 @@ struct CurvePoint {
     QPointF pixel;
 };
 
-/// Returns the point nearest to `pixel` on the visible curves that have a legend entry; nothing if none is within
-/// `tolerance` [px]. Only the points of a graph near the pointer are searched, so that long curves cost no
-/// more than short ones.
+/// Returns the point nearest to `pixel` on the visible curves that have a legend entry; nothing if none is
+/// within `tolerance` [px]. Only the points of a graph near the pointer are searched, so that long curves
+/// cost no more than short ones.
 std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pixel, double tolerance);
 /// Returns whether a visible curve or point is within `reach` [px] of a pixel. Includes curves that are in no
 /// legend.

@@ -153,7 +153,7 @@ void TestFeedWords::eachStateHasItsSentence_data() {
     row("a string, return met", "t38_string", 14e3,
         "A feed force of 14 kN is enough for this blow and for rigid rock, and even returns an undamped rod "
         "to the rock "
-        "in time (13.53 kN required); other gaps between bit and rock were not examined.",
+        "in time, which requires 13.53 kN; other gaps between bit and rock were not examined.",
         "The installed feed force is enough for single blows.");
     row("waves on their way", "t38_string", 14e3,
         "The single-blow estimate does not apply: the waves of a blow are still in the string at the next "
