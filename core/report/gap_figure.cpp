@@ -123,7 +123,7 @@ StudyFigure emptyFigure(const Scenario& scenario, GapOutput output) {
     distribution.series = {{.kind = SeriesKind::area, .legend = translatable("share per class")},
                            {.kind = SeriesKind::path,
                             .role = SeriesRole::second,
-                            .legend = translatable("share with a smaller value"),
+                            .legend = translatable("cumulative share"),
                             .isOnTop = true}};
     if (output == GapOutput::cor)
         for (StudyPanel& panel : figure.panels) panel.zone = {{}, 1};

@@ -11416,8 +11416,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Anteil je Klasse</translation>
     </message>
     <message>
-        <source>share with a smaller value</source>
-        <translation>Anteil mit kleinerem Wert</translation>
+        <source>cumulative share</source>
+        <translation>Summenhäufigkeit</translation>
     </message>
     <message>
         <source>super rebound, e &gt; 1</source>

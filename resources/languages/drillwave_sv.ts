@@ -11416,8 +11416,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>andel per klass</translation>
     </message>
     <message>
-        <source>share with a smaller value</source>
-        <translation>andel med mindre värde</translation>
+        <source>cumulative share</source>
+        <translation>kumulativ andel</translation>
     </message>
     <message>
         <source>super rebound, e &gt; 1</source>
