@@ -173,7 +173,6 @@ void StringPage::followSelection() {
 
 void StringPage::setResult(const SolvedBlowPtr& blow) {
     m_model->present(blow);
-    fitLetters();
     say(m_refusal);
 }
 
