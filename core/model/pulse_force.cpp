@@ -63,7 +63,7 @@ void appendStaircase(PulseForce& force, double impedanceRatio) {
 /// Times of the points, from 0 to 1. Points that are closer than rounding have the same time: a jump, which a
 /// file gives by two values at one time.
 std::vector<double> timesOf(const TablePoints& points) {
-    constexpr double rounding = 1e-15;  // of the duration
+    constexpr double rounding = 1e-15;  // share of the duration
     const double least = rounding * (points.back().time - points.front().time);
     std::vector<double> times{0};
     for (std::size_t i = 1; i < points.size(); ++i) {
