@@ -45,23 +45,25 @@ struct Blow {
     Impact impact;
     /// Numbers of the result, dimensionless. They and `feed` are invalid if the blow is not solved.
     ImpactSummary summary;
-    /// Estimate of the feed force that the blow requires; nothing if thrustProblem() gives a reason. The
-    /// cases over all gaps are not included; a study computes them (core/study/thrust).
+    /// Estimate of the feed force that the blow requires; nothing if thrustProblem() gives a reason, such as
+    /// a missing blow frequency. Estimates that need blows with all other gaps between bit and rock are left
+    /// to a study (core/study/thrust).
     std::optional<FeedEstimate> feed;
     /// Alerts of the scenario, followed by those of the result.
     std::vector<Alert> alerts;
     /// Computing time of the solver only, in seconds.
     double runTime = 0;
-    /// Number and start of the blow if it belongs to a sequence; then `summary` has only the values that the
-    /// pages of a sequence draw, without rebound, and there is no `feed`.
+    /// Number of the blow and state of its rock if it belongs to a sequence of blows under a feed; otherwise
+    /// empty. Such a blow has no `feed`, and its `summary` has only the values that the window shows, such as
+    /// forces and contact times, but no rebound.
     std::optional<MarchedStart> marched = {};
 
     /// Returns whether the blow is solved, so that its numbers are valid.
     bool isSolved() const { return impact.isSolved(); }
-    /// Returns whether the scenario is a drill string, which is solved with polynomial cells.
+    /// Returns whether the scenario is a drill string, which is solved in time steps (polynomial cells).
     bool isOfString() const { return isString(scenario); }
-    /// Returns the energy that energy shares refer to, in units of W0 = m v0²/2: the energy of the hammer, or
-    /// the work of the prescribed force.
+    /// Returns the energy to which all energy shares of the blow refer, in units of W0 = m v0²/2. It is the
+    /// work of a prescribed force, or 1 for a hammer, whose energy is W0.
     double drivenEnergy() const { return drillwave::drivenEnergy(summary, scenario); }
     /// Returns the margin of the feed force, (effective feed force)/(largest of the four required feed
     /// forces) − 1; nullopt if one of these forces is unknown.
@@ -83,8 +85,8 @@ enum class Stresses {
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
 
-/// Returns the blow of a scenario, solved with a given solver, whose memory is reused. `ofString` is the
-/// accuracy for drill strings; the other arguments are those of the function without a solver.
+/// Returns the blow of a scenario, solved with an existing solver to reuse its memory. `ofString` is the
+/// accuracy for drill strings. The other arguments are those of the function solveBlow() without a solver.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
                NetworkAccuracy ofString = NetworkAccuracy::sure);
@@ -95,16 +97,17 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
 /// otherwise that of `method`.
 std::string_view methodKey(const Scenario& scenario, Method method);
 
-/// Names of the method of a blow in several forms.
+/// Names of the method that solved a blow, for several uses.
 struct SolverWords {
-    /// Name in JSON, such as "polynomial_cells".
+    /// Name of the method in JSON, such as "polynomial_cells".
     std::string key;
-    /// Name for the user, such as "lattice of 1000 segments".
+    /// Name of the method for the user, such as "lattice of 1000 segments".
     Message name;
-    /// Name within a sentence that lists settings, such as "method lattice, 1000 segments" or "polynomial
-    /// cells".
+    /// Method with its settings as a part of a sentence, such as "method lattice, 1000 segments" or
+    /// "polynomial cells".
     Message asked;
-    /// Remark in files, which remarksOf() can read, such as "method polynomial_cells".
+    /// Remark about the method in the first lines of a file, such as "method polynomial_cells"; read by
+    /// remarksOf().
     std::string remark;
     /// Number of pieces with its unit (Impact::pieces), such as "11 cells".
     Message pieces;

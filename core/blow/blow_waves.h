@@ -22,9 +22,10 @@ namespace drillwave {
 
 // Blow on a drill string over time: at the bit, at the hammer face, and at a position between them
 
-/// Position in hammer or string. A uniform rod counts as one section.
+/// Position in the sections of hammer and string. A uniform rod counts as one section.
 struct StringPlace {
-    /// Index of the section in allSections().
+    /// Index of the section in allSections(), which lists the sections of the hammer before those of the
+    /// string.
     std::size_t section = 0;
     /// Position ξ in the section, 0 at its rear end … 1 at its front end.
     double share = 0;
@@ -57,13 +58,13 @@ class StringHistory {
     /// Creates a reader of the state at one position over time. Requires recorded waves (impact.waves).
     StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place);
 
-    /// Returns the state at a time t/t0, limited to 0 … end(). At a jump, `side` selects the value before or
-    /// after it.
+    /// Returns the state at the time t/t0. A time outside 0 … end() gives the state at the nearer end. At a
+    /// jump, `side` selects the value before or after it.
     RodState at(double time, TimeSide side = TimeSide::after) const;
     /// Returns the time t/t0 up to which the waves are known.
     double end() const { return m_waves->end(); }
-    /// Returns the states from 0 to end(), to be joined by straight lines, with an error of about 1e-4 F0. At
-    /// a jump there are two states at the same time.
+    /// Returns the states at times from 0 to end(), to be joined by straight lines, with an error of about
+    /// 1e-4 F0. At a jump there are two states at the same time.
     std::vector<RodState> sampled() const;
 
   private:
@@ -98,13 +99,14 @@ class BlowWaves {
     /// Returns the state at the position x/L and the time t/t0; for a string, t is limited to end(). Impulse
     /// and momentum have the units of the results: I0, or the hammer's momentum p0.
     RodState state(double x, double t) const;
-    /// Returns the states over the recorded time, two at the same time at a jump. For a string they are those
-    /// at `place`, for a rod those at the bit, as in sampledStates().
+    /// Returns the states over the recorded time, with two states at the same time at a jump. For a string
+    /// they are the states at `place`, for a uniform rod those at the bit (sampledStates()).
     std::vector<RodState> sampled(const StringPlace& place) const;
 
-    /// Returns the interval of time that a picture shows at first, in units of t0. It begins with the first
-    /// contact of hammer and string, or the start of the pulse. It ends one round trip after the last
-    /// separation of bit and rock, and after a dozen round trips at the latest.
+    /// Returns the interval of time that a picture shows at first, in units of t0. It begins with the blow,
+    /// or shortly before the first contact of bit and rock if the flight before it is long. It ends one round
+    /// trip after the last separation, or after the arrival of the blow at the bit if that is later. It is at
+    /// most a dozen round trips long.
     TimeSpan interesting() const;
     /// Returns the time t/t0 at which the first wave reaches the bit.
     double arrival() const;

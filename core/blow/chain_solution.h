@@ -19,8 +19,8 @@ struct ChainSolution {
 /// Their number is doubled until coefficient of restitution and efficiency hardly change, or the work limit
 /// is near. The error that the pieces cause is proportional to the square of their length. The stated errors
 /// contain twice the last change, or more if earlier changes were larger. If the largest forces take too much
-/// work for so many pieces, the result is that of fewer pieces. If the waves are too many to be kept, they
-/// are those of fewer pieces.
+/// work for so many pieces, all results are those for fewer pieces. If the waves are too many to be kept,
+/// only the waves are those for fewer pieces.
 ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                          const std::stop_token& stop = {});
 

@@ -15,11 +15,12 @@ namespace drillwave {
 // Results of many blows under a feed (drilling §5), from which the outputs `drill_…` are taken
 
 /// Statistics of many blows. Unless another unit is given, lengths are in d0, impulses in I0, forces in F0. A
-/// number is empty if it was not requested, or if the machine is pushed back, which has no statistics.
+/// number is empty if it was not requested, or if the machine is pushed back, since no steady motion exists
+/// then.
 struct DrillNumbers {
     using Number = std::optional<double>;
-    /// Mean, standard deviation and 5, 50 and 95 % quantiles of the gap between bit and rock at the blow, in
-    /// units of d0; ≥ 0.
+    /// Mean, standard deviation, and 5, 50 and 95 % quantiles of the gap between bit and rock when the hammer
+    /// strikes; ≥ 0. They are taken over the counted blows, in units of d0 = 2 I0/Z.
     Number gapMean, gapDeviation, gap05, gap50, gap95;
     /// Mean penetration of the bit per blow, in units of d0.
     Number penetration;
@@ -45,13 +46,14 @@ struct DrillNumbers {
     Number thrustNumber;
     /// Number n_b of round trips of a wave between two blows.
     Number roundTrips;
-    /// Error of the momentum balance, as a share of the impulse N Fe/f of N blows.
+    /// Error of the momentum balance over N blows, as a share of the impulse N Fe/f of the effective feed
+    /// force Fe at the blow frequency f.
     Number momentumResidual;
     /// Error of the energy balance, as a share of the hammer work.
     Number energyResidual;
 };
 
-/// Outputs requested for which a sequence of blows must be computed.
+/// Sequences of blows that the requested outputs need.
 struct RequiredMarches {
     /// Whether any output requires a sequence of blows.
     bool any = false;
@@ -75,8 +77,8 @@ struct DrillLength {
 /// scenario sets them. If the scenario only sets the number of blows, a fifth of them are transient.
 DrillLength scanLengthOf(const Scenario& scenario);
 
-/// Returns the reasons why a sequence of blows cannot be computed for a valid scenario, each with its key:
-/// "drill.thrust: is missing …". Returns an empty list if it can be computed.
+/// Returns the reasons why a sequence of blows cannot be computed for a valid scenario. Each begins with the
+/// key in question: "drill.thrust: is missing …". Returns an empty list if it can be computed.
 std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& length);
 
 /// Returns the reasons why no sequence of blows can be computed in a study of many values, as one line; empty

@@ -17,12 +17,13 @@ namespace drillwave {
 
 // Cases for which the required feed force is estimated
 
-/// Cases for which the required feed force is estimated, from the given blow to the worst one.
+/// Cases of rock and gap for which the required feed force is estimated, from the blow of the scenario to the
+/// worst blow.
 enum class ThrustCase {
-    /// The blow of the scenario, with the gap of the scenario.
+    /// Blow as the scenario describes it, with the gap between bit and rock of the scenario.
     scenario,
-    /// Gaps within a period, in the rock of the scenario: the required feed force is sufficient for 95 % of
-    /// them.
+    /// All gaps between bit and rock within one period of the coefficient of restitution, with the rock of
+    /// the scenario. The required feed force is sufficient for 95 % of them.
     gapQuantile,
     /// Rigid rock, with the coefficient of restitution e = 1; this case is the usual estimate of the required
     /// feed force.
@@ -110,8 +111,8 @@ struct UndampedMotion {
     double delay = 0;
     /// Gap y between bit and rock when the hammer strikes, in units of v0/f (T36); ≥ 0.
     double gap = 0;
-    /// Whether the motion returns to this one after a disturbance. It is false if the rod bounces with a
-    /// coefficient of restitution e ≥ 1, or if the machine is pushed back.
+    /// Whether this steady motion is stable: after a small disturbance, the rod returns to it. False if the
+    /// rod bounces with a coefficient of restitution e ≥ 1, or if the machine is pushed back.
     bool stable = false;
     bool operator==(const UndampedMotion&) const = default;
 };
@@ -125,7 +126,7 @@ double restingFeed(double cor);
 
 /// Gap between bit and rock when the hammer strikes, if nothing damps the rebound.
 struct GapAtBlow {
-    /// Steady motion of the undamped rod at the effective feed force.
+    /// Steady motion of the rod at the effective feed force if nothing damps its rebound.
     UndampedMotion motion;
     /// Ratio φ = Fe/(f I0) of the effective feed force to the mean force of the blows.
     double feed = 0;
@@ -140,9 +141,10 @@ struct GapAtBlow {
     bool operator==(const GapAtBlow&) const = default;
 };
 
-/// Returns the gap for a coefficient of restitution. A drill string counts as a rigid body; `transferred` is
-/// the share of its momentum that the hammer transfers. Returns nullopt without an installed feed force, or
-/// if thrustProblem() gives a reason.
+/// Returns the gap between bit and rock when the hammer strikes, for a coefficient of restitution and an
+/// undamped rebound. A drill string counts as a rigid body; `transferred` is the share of its momentum that
+/// the hammer transfers. Returns nullopt without an installed feed force, or if thrustProblem() gives a
+/// reason.
 std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred = 1);
 
 /// Required feed force of one case, computed with the coefficient of restitution e of that case. The members
@@ -165,8 +167,8 @@ struct ThrustNeed {
     /// Blow frequency, in Hz, up to which the effective feed force is at least `thrust`; nothing without an
     /// installed feed force.
     std::optional<double> frequencyLimit;
-    /// Gap between bit and rock at the blow, for the effective feed force and the coefficient of restitution
-    /// of this case.
+    /// Gap between bit and rock when the hammer strikes, computed with the effective feed force and the
+    /// coefficient of restitution `cor`. Empty if no installed feed force is given.
     std::optional<GapAtBlow> gapAtBlow;
     bool operator==(const ThrustNeed&) const = default;
 };
@@ -202,7 +204,7 @@ std::string_view name(FeedState state);
 
 /// Estimates of the required feed force for a scenario with units and a blow frequency.
 struct FeedEstimate {
-    /// Feed force of the scenario; nothing if no installed feed force is given.
+    /// Installed feed force and weight of the scenario; empty if no installed feed force is given.
     std::optional<FeedForce> force;
     /// Weight along the hole, in N, positive towards the rock; 0 if no inclination is given.
     double weight = 0;
@@ -212,8 +214,8 @@ struct FeedEstimate {
     double balance = 0;
     /// Number n_b of round trips of a wave between two blows.
     double roundTrips = 0;
-    /// Whether the coefficient of restitution is periodic over the gap, as for a uniform rod; then cases over
-    /// all gaps can be computed.
+    /// Whether the coefficient of restitution repeats periodically as the gap between bit and rock grows, as
+    /// for a uniform rod. Then the cases over all gaps can be computed.
     bool gapsHavePeriod = true;
     /// Required feed forces of all cases; this blow and rigid rock are always computed.
     ThrustNeeds needs;
@@ -231,23 +233,24 @@ struct FeedEstimate {
     /// Returns Fe over the largest required feed force of the four cases, less 1; nothing if a case is not
     /// computed or no installed feed force is given.
     std::optional<double> margin() const;
-    /// Returns the rating of the effective feed force. Returns nothing if the estimates apply but no
-    /// installed feed force is given.
+    /// Returns the rating of the effective feed force. It is `notApplicable` if n_b < 1; otherwise empty if
+    /// no installed feed force is given.
     std::optional<FeedState> state() const;
     /// Returns whether a warning is due: the machine is pushed back, or the feed force is below the required
     /// one of this blow.
     bool isTooLittle() const;
-    /// Returns the feed force to install for a required feed force, in N: the part that the weight does not
-    /// provide; ≥ 0.
+    /// Returns the feed force to install, in N, for a required feed force `needed`: the part of it that the
+    /// weight along the hole does not provide; ≥ 0.
     double thrustFor(double needed) const;
     /// Returns the blow frequency, in Hz, up to which the effective feed force covers a required feed force.
-    /// The required force, in N, is the one at the present frequency. Returns 0 if no force presses to the
-    /// rock.
+    /// `needed` is the required force at the present frequency, in N. Returns 0 without an effective feed
+    /// force towards the rock.
     double frequencyFor(double needed) const;
     bool operator==(const FeedEstimate&) const = default;
 };
 
-/// Coefficients of restitution e over all gaps of a period.
+/// Coefficients of restitution e of a uniform rod for all gaps between bit and rock. They repeat when the gap
+/// grows by one period.
 struct ReboundsOverGaps {
     /// Coefficient of restitution that is not exceeded for 95 % of all gaps between bit and rock.
     Estimate quantile;
@@ -256,8 +259,9 @@ struct ReboundsOverGaps {
 };
 
 /// Returns the estimates of the required feed force from the coefficient of restitution `cor` of a blow.
-/// `transferred` is the share of its momentum that the hammer of a drill string transfers. `overGaps` adds
-/// the cases over all gaps. Returns nullopt if thrustProblem() gives a reason.
+/// `transferred` is the share of its momentum that the hammer of a drill string transfers. If `overGaps` is
+/// given, the cases over all gaps between bit and rock are included. Returns nullopt if thrustProblem() gives
+/// a reason.
 std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimate& cor,
                                          double transferred = 1,
                                          const std::optional<ReboundsOverGaps>& overGaps = {});

@@ -16,7 +16,7 @@ namespace drillwave {
 // Balance of the hammer work
 
 /// Energies after a blow as shares of the hammer work W, or of the hammer energy E0 of a drill string. For a
-/// uniform rod, the shares in rock, rebound and waves add up to 1 + residual.
+/// uniform rod, the shares in rock, rebound and waves add up to 1, apart from the error `residual`.
 struct EnergyLedger {
     /// Share of the hammer work W (drill string: hammer energy E0) that stays in the rock.
     double rockWork = 0;
@@ -53,8 +53,8 @@ struct ImpactSummary {
     double separationTime = 0;
     /// Sum of the durations of all contacts of bit and rock, in units of t0.
     double contactDuration = 0;
-    /// Work ratio W/W0: hammer work over m v0²/2 [paper (2)]. For a hammer, the share of its energy that it
-    /// transfers.
+    /// Work ratio W/W0 [paper (2)] of a prescribed force: the hammer work W over W0 = m v0²/2, with the mass
+    /// m of the rod and v0 = I0/m. For a hammer, the share of its energy that it transfers.
     double workRatio = 0;
     /// Shares of the hammer work in rock, rebound and waves.
     EnergyLedger energy;
@@ -76,8 +76,7 @@ struct ImpactSummary {
     double transferred = 1;
     /// Work A(Fm) on the rock up to the largest force, as a share of the hammer work.
     double loadingWork = 0;
-    /// Stated error of the energy shares, such as energy.rockWork; 0 unless the method divides time into
-    /// cells.
+    /// Stated error of the energy shares, such as energy.rockWork; 0 for methods without time steps (cells).
     double efficiencyError = 0;
     /// Stated error of the largest stresses of a string, as a share of each stress.
     double stressError = 0;
@@ -126,15 +125,15 @@ struct ImpactSummary {
 /// `corError`.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
-/// Returns the energy to which energy shares refer, in units of W0 = m v0²/2: the hammer energy, or the work
-/// of the prescribed force.
+/// Returns the energy to which all energy shares of the summary refer, in units of W0 = m v0²/2. It is the
+/// work of a prescribed force, or 1 for a hammer, whose energy is W0.
 double drivenEnergy(const ImpactSummary& summary, const Scenario& scenario);
 
 /// Choice of the numbers that are computed from the waves; each takes additional time.
 struct WaveNumbers {
     /// Whether the peaks of the impact force are counted, which needs the histories of the waves.
     bool forcePeaks = true;
-    /// Largest forces in the rod to compute.
+    /// Selection of the largest forces in the rod to be computed.
     RodForceChoice forces = {};
 };
 
@@ -145,9 +144,9 @@ ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem,
 
 // Numbers of the waves of a blow in limited memory, however long its histories are
 
-/// Returns whether the histories of a blow are too long to be kept. `solve` solves the blow with the exact
-/// solver and keeps the solution. It is called with Detail::cor, which takes a few percent of the time of
-/// histories. If they are too long, it is called again with Detail::ledger.
+/// Returns whether the histories of a blow are too long to be kept. `solve` has to solve the blow with the
+/// exact solver, keep the solution and return it. It is called with Detail::cor, which takes a few percent of
+/// the time of histories. If the histories are too long, it is called again with Detail::ledger.
 bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
 
 /// Returns the numbers of a blow whose histories are too long to be kept. The blow is solved a second time,

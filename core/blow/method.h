@@ -19,7 +19,7 @@ namespace drillwave {
 
 /// Method of solving a blow on a uniform rod.
 enum class Method {
-    /// Exact solution from event to event (ExactSolver).
+    /// Exact solution, computed from one contact event to the next (ExactSolver).
     exact,
     /// Lattice algorithm of the underlying paper, with equal time steps (LatticeSolver).
     lattice,
@@ -70,7 +70,7 @@ inline constexpr long cellsOfPiece = 30;
 
 /// Limits of the work of one blow. A blow that needs more is not solved.
 struct WorkLimits {
-    /// Maximum number of wave pieces of the exact solver.
+    /// Maximum number of polynomial pieces of the waves that the exact solver may compute.
     long pieces = defaultWorkLimit;
     /// Maximum work for a drill string, in cells (time steps) times nodes (ends of sections).
     long cells = mostNetworkCells;
@@ -84,14 +84,14 @@ class MethodSolver {
     explicit MethodSolver(const WorkLimits& limits = {})
         : m_exact(limits.pieces), m_mostCells(limits.cells) {}
 
-    /// Returns the solution of a blow by the chosen method, with the requirements on `problem` of
-    /// ExactSolver::solve(). A blow that the method refuses is not solved, with the reason. The closed form
-    /// takes no time and ignores `stop`.
+    /// Returns the solution of a blow by the chosen method. The requirements on `problem` are those of
+    /// ExactSolver::solve(). If the method cannot solve the blow, the result is not solved and contains the
+    /// reason. The closed form ignores `stop`, because it needs hardly any time.
     Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
                  const std::stop_token& stop = {});
 
-    /// Omits the sums of Detail::ledger in all later blows that the exact solver computes with
-    /// Detail::histories (ExactSolver::leaveOutLedger()).
+    /// Makes the exact solver omit the sums of Detail::ledger in all later blows with Detail::histories. They
+    /// would double the computing time.
     void leaveOutLedger() { m_exact.leaveOutLedger(); }
 
     /// Returns the solution of a blow on a drill string. The maximum work in `settings` is replaced by that

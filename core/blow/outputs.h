@@ -23,9 +23,9 @@ enum class Measure {
     number,
     /// Error; a number of which only the order of magnitude matters.
     error,
-    /// Share of the energy W0 = m v0²/2; the same plain number in SI.
+    /// Energy as a share of W0 = m v0²/2. In SI it remains this share.
     work,
-    /// Share of the hammer work W; the same plain number in SI.
+    /// Share of the hammer work W. In SI it remains this share.
     share,
     /// Share of the hammer work W; in SI an energy in J.
     energy,
@@ -54,13 +54,13 @@ enum class OutputGroup { none, work, share, penetration, rebound, stress, contac
 
 /// Kind of blow for which an output is defined, whether or not its value is known.
 enum class OutputOf { anyBlow, uniformRod, drillString, hammer, elasticFaces };
-/// Returns whether the scenario is of the given kind.
+/// Returns whether the scenario describes a blow of the kind `which`, such as one on a drill string.
 bool concerns(OutputOf which, const Scenario& scenario);
 
 /// Parts of the hammer work after a blow, or of the hammer energy of a drill string, in the order of a bar
 /// chart.
 enum class EnergyPart {
-    /// Work that stays in the rock, as a part of the hammer work.
+    /// Work that stays in the rock.
     rock,
     /// Energy of the rebound of rod or string as a whole, as a part of the hammer work.
     rebound,
@@ -68,7 +68,8 @@ enum class EnergyPart {
     waves,
     /// Energy that remains in the hammer of a drill string, as motion and as waves.
     hammer,
-    /// Energy lost in joints, in sections and between the faces of a drill string.
+    /// Energy lost in joints and sections of a drill string, or left in the elastic contact between hammer
+    /// and string.
     losses,
 };
 
@@ -105,16 +106,18 @@ struct Output {
     OutputGroup group = OutputGroup::none;
     /// Description in the window, without a full stop.
     std::string_view note = {};
-    /// Part of the hammer work that this output is, or belongs to.
+    /// Part of the hammer work that this output states, or to which it belongs; empty for other outputs.
     std::optional<EnergyPart> part = {};
-    /// Kind of load, if the output is a largest force or stress.
+    /// Kind of load (compression or tension, during or after the blow) if the output is a largest force or
+    /// stress; otherwise empty.
     std::optional<Load> load = {};
-    /// Function that returns the reason why a scenario for which the output is defined has no value; nullptr
-    /// if every such scenario has a value.
+    /// Function that returns the reason why the output has no value for a scenario, although it is defined
+    /// for this kind of blow. It is nullptr if the output always has a value.
     Message (*lack)(const Scenario&) = nullptr;
     /// Title in the window if it differs from `title`; otherwise empty.
     std::string_view shortTitle = {};
-    /// Position among the outputs of the same group; final values come before largest values during the blow.
+    /// Sorting key of the output within its group in the window, ascending. Final values have lower keys than
+    /// largest values during the blow.
     int order = 0;
 
     /// Returns the reason why a scenario, for which the output is defined, has no value, and the remedy;
@@ -132,15 +135,16 @@ struct Output {
     std::string_view label() const;
     /// Returns whether the output has a value in SI units only, and no dimensionless one.
     bool isOnlySi() const;
-    /// Returns whether the output requires OutputSource::thrustMargin.
+    /// Returns whether the value requires a study over all gaps between bit and rock, which supplies
+    /// OutputSource::thrustMargin.
     bool needsThrustStudy() const;
     /// Returns whether the output requires OutputSource::drill; true for all drillOutputs().
     bool needsDrilling() const;
     /// Returns the physical quantity of the value; Quantity::ratio for shares of the energy, and for numbers
     /// that are the same in SI.
     Quantity quantity() const;
-    /// Returns the physical quantity of the value converted by inSi(): energy for a share of the energy,
-    /// otherwise that of quantity().
+    /// Returns the physical quantity of the value after conversion by inSi(). It is an energy for an energy
+    /// share that inSi() converts to J, otherwise the same as quantity().
     Quantity siQuantity() const;
     /// Returns the factor by which the dimensionless value is multiplied to give SI units; 1 for a share of
     /// the energy.

@@ -11,11 +11,12 @@
 namespace drillwave {
 
 /// Returns the alerts of a solved blow, to be listed after alertsFor(scenario). `thrust_below_needed`: the
-/// feed force is below the required one of this blow (feed_estimate.h). `super_rebound`: the coefficient of
-/// restitution e exceeds 1 by more than its error. `several_contacts`: the bit returns to the rock.
-/// `closed_form_invalid`: a rectangular blow on elastic rock is outside the range of the analytical solution
-/// (closed_form.h); it states the error of that solution. `reduced_accuracy`: the error bound of e exceeds
-/// 1e-9; if the bit chatters, `input_decides` replaces it.
+/// feed force is below the required one of this blow. `super_rebound`: the coefficient of restitution e of a
+/// uniform rod exceeds 1 by more than its error. `several_contacts`: the bit returns to the rock.
+/// `closed_form_invalid`: a rectangular blow on elastic rock is outside the range of the analytical solution,
+/// whose error the alert states. `corners_without_effect`: the force stays below the first corner of the rock
+/// law. `reduced_accuracy`: the error bound of e exceeds 1e-9; if the bit chatters, `input_decides` replaces
+/// it.
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary);
 
 /// Returns whether stressAlerts() has anything to check for a rod: it has a yield or fatigue strength. Then

@@ -41,8 +41,9 @@ struct StringPeak {
 /// Requires at least one section.
 StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 
-/// Writes the largest stresses over all sections and their stated error into the summary, if the forces were
-/// requested. `pieces` are the numbers of uniform pieces of the sections, as in Problem::pieces.
+/// Writes the largest stresses over all sections, and their stated error, into the summary. Does nothing if
+/// the solver was not asked for the largest forces. `pieces` are the numbers of uniform pieces that replace
+/// each section, as in Problem::pieces.
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
                  const std::vector<int>& pieces);
 
@@ -50,13 +51,14 @@ void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact&
 bool hasStressesAfter(const Impact& impact);
 
 /// Returns the alerts about strengths; none for sections without a strength. `stress_above_yield`: the
-/// largest stress of a section exceeds its yield strength. `stress_above_fatigue`: the largest tension
-/// exceeds its fatigue strength. It is a warning during the blow, and a remark if only residual waves exceed
-/// the strength. Each alert has position and time.
+/// largest stress of a section exceeds its yield strength. `stress_above_fatigue`: its largest tension
+/// exceeds its fatigue strength. Both are warnings if the strength is exceeded during the blow, and mere
+/// information if only residual waves exceed it. Each alert has position and time.
 std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses);
 
-/// Returns the alerts about the solution of a drill string: rounded lengths, a blow that was not over when
-/// the computation ended, and stresses that were not computed because they would take too long.
+/// Returns the alerts about the solution of a drill string. They report rounded lengths, waves taken from a
+/// coarser computation, and a blow that was not over when the computation ended. They also report stresses
+/// that were not computed because they would take too long.
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact);
 
 // Stress over strength of the sections, for the largest stresses during a blow

@@ -21,19 +21,19 @@ inline constexpr std::size_t mostSamplesFollowed = 100'000;
 
 /// Effect on the coefficient of restitution of using only some of the samples of a measured blow.
 struct ThinningEffect {
-    /// Coefficient of restitution e with the points that are used.
+    /// Coefficient of restitution e if only the selected samples are used.
     double cor = 0;
     /// Change of the coefficient of restitution: `cor` less the value with all samples, or with
     /// mostSamplesFollowed of them if there are more.
     double change = 0;
-    /// Upper bound of the absolute numerical error of `change`.
+    /// Upper bound of the absolute numerical error of the difference `change`.
     double error = 0;
 };
 
 /// Returns the effect of leaving out samples of a measured blow on the coefficient of restitution, with the
 /// rod and rock of a scenario. `recipe` makes the hammer force from the samples; `kept` has the points that
-/// are used. Returns nothing if no sample was left out, for a drill string, if one of the two blows is
-/// invalid or not solved, and after a stop request.
+/// are used. Returns nothing for a drill string, if no sample was left out, or after a stop request. It also
+/// returns nothing if the blow with all samples, or with those of `kept`, is invalid or cannot be solved.
 std::optional<ThinningEffect> thinningEffect(const Scenario& scenario, const Samples& samples,
                                              const SignalRecipe& recipe, const ShapedSignal& kept,
                                              const std::stop_token& stop = {});
@@ -55,10 +55,11 @@ struct ThinnedBlow {
     bool isThinned = false;
 };
 
-/// Returns the hammer force made from samples, with as few points as possible, at most recipe.points. Impulse
-/// and coefficient of restitution stay within `thinningError`; for a drill string, the coefficient is that of
-/// its uniformRodOf(). The search takes time, because many blows are solved. Requires samples without a
-/// problem.
+/// Returns the hammer force made from few of the samples, at most recipe.points. It uses the fewest points
+/// tried for which coefficient of restitution and impulse change by no more than `thinningError`. If no
+/// number of points is sufficient, it uses recipe.points, or all samples if these are fewer. For a drill
+/// string, the coefficient is that of its uniformRodOf(). The search takes time, because many blows are
+/// solved. Requires samples without a problem.
 ThinnedBlow thinnedBlow(const Scenario& scenario, const Samples& samples, const SignalRecipe& recipe,
                         const std::stop_token& stop = {});
 

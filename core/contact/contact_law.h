@@ -37,20 +37,22 @@ enum class ContactLine {
 template <class Real = double>
 class ContactLaw {
   public:
-    /// Makes the law of intact rock without corners. Requires β > 0 and 0 < γ ≤ 1.
+    /// Creates the law of intact rock with one loading line of slope β and an unloading line of slope β/γ.
+    /// Requires β > 0 and 0 < γ ≤ 1.
     ContactLaw(Real beta, Real gamma)
         : m_slopes{beta, beta / gamma}, m_beta(beta), m_gamma(gamma), m_isElastic(gamma == 1) {
         assert(beta > 0 && gamma > 0 && gamma <= 1);
     }
     explicit ContactLaw(const BitRockLaw& law) : ContactLaw(law, Real(law.beta)) {}
-    /// Makes the law of intact rock with the lines of `law`, but with another β > 0.
+    /// Creates the law of intact rock with the lines of `law`, but with another stiffness β > 0.
     ContactLaw(const BitRockLaw& law, Real beta) : ContactLaw(beta, Real(law.gamma)) {
         if (!law.isBilinear()) [[unlikely]]
             addLines(law);
     }
 
-    /// Returns the law with every slope limited to `steepest` > 0, in units of k0 = Z/t0. Use only the slopes
-    /// of the result, as rates of a solver: its penetrations do not match β.
+    /// Returns the law with every slope limited to `steepest` > 0, in units of k0 = Z/t0. The exact solver
+    /// uses it for very stiff rock, whose force would change within the rounding error of time. Use only the
+    /// slopes of the result: its penetrations do not match β.
     ContactLaw limitedTo(Real steepest) const {
         ContactLaw limited = *this;
         if (m_slopes.elastic <= steepest) return limited;
@@ -64,8 +66,9 @@ class ContactLaw {
         return limited;
     }
 
-    /// Returns the slopes of the current loading line, β or s_j β, and of the elastic line, β/γ. As
-    /// U' = 2g − F, with the incident wave g, they are the rates of F' = a(2g − F) (T16).
+    /// Returns the slopes a of the current loading line (β or s_j β) and of the elastic line (β/γ). They are
+    /// also the rates of the force, F' = a(2g − F), because the bit moves with U' = 2g − F; g is the incident
+    /// wave (T16).
     const ContactRates<Real>& slopes() const { return m_slopes; }
     /// Returns whether loading and unloading coincide, because every loading line that the force has reached
     /// has the slope β/γ.
@@ -73,8 +76,8 @@ class ContactLaw {
 
     /// Returns the largest force so far Fm, in units of the mean hammer force F0.
     Real largestForce() const { return m_largest; }
-    /// Records that the contact force has reached `force` [in units of F0], but at most up to the next corner
-    /// of the loading curve. Beyond it passCorner() must be called first.
+    /// Records that the contact force has risen to `force`, in units of F0. A force above the next corner of
+    /// the loading curve is recorded only up to the corner: call passCorner() and then this function again.
     void remember(Real force) {
         if (force > m_largest) m_largest = std::min(force, m_cornerForce);
     }
@@ -87,20 +90,20 @@ class ContactLaw {
 
     // Lines of the law and their corners
 
-    /// Returns the line on which the force rises from zero. It is `primary` for intact or elastic rock, else
-    /// `elastic`, which starts at the residual penetration.
+    /// Returns the line on which the force rises from zero. It is the `primary` loading line for intact or
+    /// elastic rock. Otherwise it is the `elastic` line, which starts at the residual penetration.
     ContactLine lineAtContact() const {
         return isElastic() || m_largest == 0 ? ContactLine::primary : ContactLine::elastic;
     }
-    /// Returns whether the force leaves this line as soon as the bit moves back. This holds for the primary
-    /// line, unless γ = 1.
+    /// Returns whether the force leaves this line of the law as soon as the bit moves back. This holds for
+    /// the primary (loading) line, unless loading and unloading coincide (γ = 1).
     bool isOneWay(ContactLine line) const { return line == ContactLine::primary && !isElastic(); }
     /// Returns the slope of the primary or the elastic line, in units of k0 = Z/t0.
     Real slope(ContactLine line) const {
         return line == ContactLine::primary ? m_slopes.primary : m_slopes.elastic;
     }
-    /// Returns the index, from 0, of the line of the loading curve with the largest force so far; at a corner
-    /// the line above.
+    /// Returns the index, from 0, of the straight line of the loading curve on which the largest force so far
+    /// lies. At a corner it is the line above.
     std::size_t loadingLine() const { return m_line; }
     /// Returns the slope of the loading line with this index, in units of k0 = Z/t0, whether the force has
     /// reached it or not. Returns 0 if there is no such line.
@@ -128,15 +131,16 @@ class ContactLaw {
     Real largestPenetration() const {
         return m_from.penetration + (m_largest - m_from.force) / m_slopes.primary;
     }
-    /// Returns the residual penetration Ur = Um − γFm/β, at which the force is zero after unloading, in units
-    /// of I0/Z.
+    /// Returns the residual penetration Ur = Um − γFm/β, in units of I0/Z. It remains after unloading from
+    /// the largest force Fm and penetration Um so far.
     Real residualPenetration() const {
         if (m_isBilinear) [[likely]]
             return (1 - m_gamma) * largestPenetration();
         return largestPenetration() - m_gamma * m_largest / m_beta;
     }
     /// Returns the penetration U, in units of I0/Z, at a force F ≥ 0, in units of F0. Below the largest force
-    /// so far it is on the elastic line, above on the loading curve. F = 0 gives the residual penetration.
+    /// so far it follows the straight unloading line of slope β/γ, above it the loading curve. F = 0 gives
+    /// the residual penetration.
     Real penetration(Real force) const {
         if (force >= m_cornerForce) [[unlikely]] {
             ContactLaw loaded = *this;
@@ -150,7 +154,7 @@ class ContactLaw {
                m_gamma * (largest - force) / m_beta;
     }
     /// Returns the force F ≥ 0, in units of F0, at a penetration U, in units of I0/Z. Below the largest
-    /// penetration so far it is on the elastic line, above on the loading curve.
+    /// penetration so far it follows the straight unloading line of slope β/γ, beyond it the loading curve.
     Real force(Real penetration) const {
         const Real above = largestPenetration() - penetration;
         if (above > 0) return std::max(Real(0), m_largest - m_slopes.elastic * above);

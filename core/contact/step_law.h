@@ -35,9 +35,9 @@ class StepLaw {
         corner = 16,         ///< the force passed one or more corners of the loading curve
     };
 
-    /// Starts the contact of a bit with intact rock. The time step is > 0 (in t0), the initial gap ≥ 0 (in
-    /// units of I0/Z). Without an incident wave a force up to `negligible` ≥ 0 (in units of F0) is set to
-    /// zero.
+    /// Creates the contact of a bit with intact rock. The time step is > 0 (in t0), the initial gap ≥ 0 (in
+    /// units of I0/Z). While no wave arrives, a contact force up to `negligible` ≥ 0 (in units of F0) is set
+    /// to zero.
     StepLaw(const ContactLaw<>& law, double step, double gap, double negligible);
 
     /// Advances by one time step with the mean incident wave g, in units of F0. Returns the contact force
@@ -60,8 +60,8 @@ class StepLaw {
     /// Returns the fraction of the last step (0 to 1) at which the gap closed; valid only if changes() has
     /// `contact`.
     double contactFraction() const { return m_contactFraction; }
-    /// Returns the fraction of the last step (0 to 1) at which the force reached the primary line; valid only
-    /// if changes() has `primaryLoading`.
+    /// Returns the fraction of the last step (0 to 1) at which the force reached the primary line (loading
+    /// curve) again. It is valid only if changes() has `primaryLoading`.
     double primaryFraction() const { return m_primaryFraction; }
     /// Returns the fraction of the last step (0 to 1) at which the force became zero; valid only if changes()
     /// has `separation`.

@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-/// Amount of results that a solver returns. Each level includes those before it.
+/// Amount of results that a solver computes. Each value includes the results of the values before it.
 enum class Detail {
     /// Coefficient of restitution e and its error only; no history is kept.
     cor,
@@ -63,7 +63,7 @@ enum class ContactEvent {
     contact,
     /// The impact force has a maximum on the primary loading curve, and unloading starts.
     unloading,
-    /// The impact force reaches the primary loading curve again.
+    /// The impact force reaches the primary loading curve again, after unloading and reloading.
     primaryLoading,
     /// The impact force reaches zero, and bit and rock separate.
     separation,
@@ -72,7 +72,7 @@ enum class ContactEvent {
 };
 
 /// Contact event of bit and rock, with its time t/t0 since the start of the blow. In the reference case (a
-/// rod that arrives as a rigid body) time starts at first contact.
+/// rod that arrives as a rigid body) the time is counted from first contact.
 struct ImpactEvent {
     ContactEvent kind;
     double time;
@@ -137,8 +137,8 @@ struct Impact {
     // The two members finalMomentum and finalEnergy require Detail::ledger or more; with less detail the
     // exact solver leaves NaN.
     /// Momentum of rod or string after the blow, in units of I0, positive towards the rock. It is the
-    /// integral ∫g over the last period, independent of `impulse`. For a uniform rod it equals −e, with the
-    /// coefficient of restitution e.
+    /// integral of the incident wave g over the last round trip, independent of `impulse`. For a uniform rod
+    /// it equals −e, with the coefficient of restitution e.
     double finalMomentum = 0;
     /// Energy of rod or string after the blow [I0²/(Z t0)]: the integral ∫g² of the incident wave over the
     /// last period.
@@ -148,7 +148,7 @@ struct Impact {
     // rod.
     /// Momentum [I0] and energy [I0²/(Z t0)] that remain in the hammer after the blow.
     double hammerMomentum = 0, hammerEnergy = 0;
-    /// Impulse transferred from the hammer or its force to the string, in units of I0.
+    /// Impulse that the hammer, or the prescribed force, has transferred to the string, in units of I0.
     double faceImpulse = 1;
     /// Elastic energy that remains in the contact stiffness of the hammer face [I0²/(Z t0)].
     double faceEnergy = 0;
@@ -184,12 +184,13 @@ struct Impact {
     std::vector<double> jointReflection;
     /// Waves in all sections over time; null unless requested and small enough to be kept.
     std::shared_ptr<const StringWaves> waves;
-    /// Difference between this result and the coarser run that supplied `waves`: the larger of the
-    /// differences in coefficient of restitution and in efficiency. Set only if the waves of this run are too
-    /// many to be kept.
+    /// Difference between this result and that of the coarser computation from which `waves` are taken: the
+    /// larger of the differences in coefficient of restitution and in efficiency. Empty if `waves` belong to
+    /// this computation.
     std::optional<double> wavesDifference;
 
-    /// Replaces `waves` by those of a coarser run of the same blow, and sets wavesDifference.
+    /// Replaces `waves` by the waves of a coarser computation of the same blow, if those of this one need too
+    /// much memory. Sets wavesDifference to the difference between the two results.
     void takeWavesOf(const Impact& coarser) {
         waves = coarser.waves;
         wavesDifference =
@@ -224,8 +225,8 @@ struct Impact {
     long searches = 0;
     /// Number of points evaluated in all searches for contact events.
     long samples = 0;
-    /// Number of pieces that had to be solved again in another representation, because the first one did not
-    /// reach their end. They are not included in `pieces`.
+    /// Number of pieces of a first attempt in closed form that was discarded, because it did not reach the
+    /// end of the blow with sufficient accuracy. They are not included in `pieces`.
     long abandoned = 0;
     /// Number of cells (time steps of waves) that had to be evaluated for the largest forces, because bounds
     /// could not exclude them.
@@ -235,12 +236,12 @@ struct Impact {
     double cell = 0;
     /// Largest change of a section's round-trip time by rounding to whole cells (time steps), in units of t0.
     double rounding = 0;
-    /// Time step (cell) that divides all round trips exactly, in units of t0, if it was not used because it
-    /// takes too much work; otherwise 0.
+    /// Time step (cell) that divides all round trips of the sections exactly, in units of t0. It is set if
+    /// this time step was not used because it takes too much work; otherwise 0.
     double sharedCell = 0;
 
-    /// Returns whether the lengths of sections were rounded by more than the precision with which they are
-    /// given.
+    /// Returns whether section lengths were changed noticeably, so that round trips are whole numbers of
+    /// cells (time steps). Smaller changes are within the precision with which lengths are given.
     bool isRounded() const { return rounding > 1e-7; }
     /// Returns the efficiency: the share of the hammer work that stays in the rock, 0 … 1.
     double efficiency() const { return rockWork / hammerWork; }
@@ -257,9 +258,9 @@ struct Impact {
     double momentumResidual() const {
         return (hammerImpulse - impulse - hammerMomentum - finalMomentum - externalMomentum) / hammerImpulse;
     }
-    /// Returns whether the energy balance of a computation with cells is good enough for a result. Cells lose
-    /// energy where they do not resolve a wave: at most 0.015 in 3000 strings computed with a hundredth of
-    /// the permitted work. They gain energy only by rounding, at most 3e-12.
+    /// Returns whether the energy balance of a computation with cells (time steps) is good enough; otherwise
+    /// its result is refused. Cells that are too coarse for a wave lose energy: at most a share of 0.015 in
+    /// 3000 test strings. Energy is gained only by rounding, at most 3e-12.
     bool balances() const {
         constexpr double mostMade = 1e-6, mostLost = 0.05;
         return energyResidual() >= -mostMade && energyResidual() <= mostLost;

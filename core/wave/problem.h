@@ -69,7 +69,8 @@ struct Problem {
     BitRockLaw law;
     /// Gap between bit and rock at the start, δ = d/d0 with d0 = 2 I0/Zr; ≥ 0.
     double gap = 0;
-    /// Time t/t0 at which the computation of a drill string ends, if set.
+    /// Time t/t0 at which the user wants the computation of a drill string to end; empty if the user sets no
+    /// time.
     std::optional<double> endTime;
     /// Time t/t0 of the next blow, if known. Without `endTime`, the computation of a drill string stops there
     /// if the end of the blow is not proven before.
@@ -113,8 +114,8 @@ struct Problem {
 /// section does not count, since it has no joint.
 bool losesWaves(const Problem& problem);
 
-/// Returns the reason why the problem is not a prescribed force on one lossless uniform rod. Solvers for
-/// uniform rods refuse such problems. Returns an empty text if the problem is one that they accept.
+/// Returns the reason why solvers for uniform rods refuse the problem: it is not a prescribed force on one
+/// lossless uniform rod. Returns an empty text if they accept it.
 std::string_view rodRefusal(const Problem& problem);
 
 /// Returns the dimensionless blow of a valid scenario. `pieces` gives the number of uniform pieces that
@@ -124,10 +125,11 @@ Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces = {})
 
 /// Returns the blow of a prescribed force on the rear end of a uniform rod with the groups β, γ, τ, δ.
 Problem problemOf(PulseForce force, const Groups& groups);
-/// Sets the uniform rod, rock and gap of `rod` from the groups β, γ, τ, δ. The force and the corners of the
-/// rock law do not change.
+/// Sets transit time, rock stiffness β, elasticity γ and gap of the problem `rod` from the groups β, γ, τ, δ.
+/// The force and the corners of the rock law do not change.
 void setGroups(Problem& rod, const Groups& groups);
-/// Sets rod, rock law and gap of `rod` from a valid scenario of a uniform rod. The force does not change.
+/// Sets transit time, rock law and gap of the problem `rod` from a valid scenario of a uniform rod. The force
+/// does not change.
 void setRod(Problem& rod, const Scenario& scenario);
 
 }  // namespace drillwave

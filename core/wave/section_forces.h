@@ -19,7 +19,7 @@ inline constexpr std::array loads{Load::compression, Load::tension, Load::compre
 constexpr bool isTension(Load load) {
     return load == Load::tension || load == Load::tensionAfter;
 }
-/// Returns whether the load is one of the residual waves after the blow.
+/// Returns whether the load is caused by the residual waves after the blow.
 constexpr bool isAfter(Load load) {
     return load == Load::compressionAfter || load == Load::tensionAfter;
 }
@@ -38,14 +38,15 @@ struct OfLoads {
                                               &OfLoads::compressionAfter, &OfLoads::tensionAfter};
 };
 
-/// Returns four values, one for each load: map(x), where x is the value of `from` for the same load.
+/// Returns four values, one for each load: compression and tension, during and after the blow. Each is the
+/// result of the function `map` for the value of this load in `from`.
 template <class T>
 auto eachOf(const OfLoads<T>& from, const auto& map) -> OfLoads<decltype(map(from.compression))> {
     return {map(from.compression), map(from.tension), map(from.compressionAfter), map(from.tensionAfter)};
 }
 
-/// Largest force of one sign in a section of hammer or string, with its position and time. In a conical
-/// section, the force belongs to the largest stress.
+/// Largest compressive or tensile force in a section of hammer or string, with its position and time. In a
+/// conical section it is the force at the largest stress.
 struct SectionPeak {
     /// Magnitude of the largest compressive or tensile force, in units of F0; ≥ 0.
     double force = 0;

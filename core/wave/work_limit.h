@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Texts of the reasons for Hindrance::workLimit. Rows and studies that keep only the text recognise the
-/// hindrance by it.
+/// Texts that say which work limit was reached (Hindrance::workLimit). isWorkLimit() recognises them in
+/// results of which only the text is kept.
 struct WorkLimitReason {
     static constexpr const char* pieces = translatable(
         "its waves have more polynomial pieces than the work limit permits, because of very many "
@@ -28,7 +28,8 @@ struct WorkLimitReason {
         "very often; a larger gamma, fewer blows or a higher frequency take less");
 };
 
-/// Returns whether a message is one of WorkLimitReason, or contains one, such as "3 rows: REASON".
+/// Returns whether a message says that a work limit was reached. This is true for the texts of
+/// WorkLimitReason, and for messages that contain one, such as "3 rows: REASON".
 inline bool isWorkLimit(const Message& reason) {
     using Reason = WorkLimitReason;
     const auto patterns = {Reason::pieces, Reason::steps, Reason::events, Reason::sequence, Reason::contacts};

@@ -29,8 +29,8 @@ double secondPulseEnd(double beta);
 /// Returns I3/I0, the impulse of the second pulse of the impact force [paper (13)] [paper (15)].
 double secondPulseImpulse(double beta);
 
-/// Returns the coefficient of restitution e = 1 + I3 [paper (10)]; 4e^(−1/2) − 1 for β → 0. It is accurate to
-/// rounding for every β.
+/// Returns the coefficient of restitution e = 1 + I3/I0 of the closed form [paper (10)], accurate to rounding
+/// for every β > 0. I3 is the impulse of the second force pulse. For β → 0, e approaches 4e^(−1/2) − 1.
 double closedFormRestitution(double beta);
 
 /// Returns the impulse that the closed form of the coefficient of restitution e neglects, in units of I0, for
@@ -44,13 +44,15 @@ double neglectedOverlap(double beta, double tau);
 /// so little that the contact ends before the third wave arrives, and that no further contact follows.
 bool overlapIsSmall(double beta, double tau);
 
-/// Returns the reason why the closed form does not cover a blow: γ ≠ 1, a gap that is not a whole number δ,
-/// another pulse, or a pulse longer than a round trip. Returns an empty message if it covers the blow.
+/// Returns the reason why the closed form cannot solve a blow; an empty message if it can. It requires a
+/// uniform rod, a rock law of one line with γ = 1, and a gap δ = d/d0 that is a whole number. The pulse must
+/// be rectangular and not longer than a round trip.
 Message closedFormRefusal(const Problem& problem);
 
-/// Returns the closed form as the result of a blow. `corError` is the neglected overlap. The histories
-/// consist of the paper's two pulses without their overlap, so the balances of momentum and energy miss it.
-/// The blow is not solved, with a reason, if closedFormRefusal() gives one or the overlap is not small.
+/// Returns the closed form as the result of a blow. `corError` contains the overlap that the closed form
+/// neglects. The recorded impact force consists of the paper's two pulses without their overlap. Momentum and
+/// energy are therefore not exactly balanced. The blow is not solved, with a reason, if closedFormRefusal()
+/// gives one or the overlap is not small.
 Impact solveClosedForm(const Problem& problem, Detail detail = Detail::cor);
 
 }  // namespace drillwave

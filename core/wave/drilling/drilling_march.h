@@ -34,11 +34,13 @@ namespace drillwave {
 class ReturnedLoss {
   public:
     ReturnedLoss() = default;
-    /// Creates the loss with the amplitude factor s = `passing`, 0 < s ≤ 1, for `frequency` blows per t0.
+    /// Creates a loss that reduces the amplitude of a wave to s = `passing` of it, 0 < s ≤ 1. `frequency` is
+    /// the number of blows per t0.
     ReturnedLoss(double passing, double frequency) : m_passing(passing), m_frequency(frequency) {}
 
-    /// Returns the wave after the loss over one time step (a cell or a part of one) of the given width [t0],
-    /// for the incoming wave `in`. The trapezoidal rule for m conserves momentum exactly.
+    /// Returns the wave after the loss over one time step (a cell or a part of one) of the given width [t0].
+    /// `in` is the incoming wave. The mean m follows from the trapezoidal rule, which conserves momentum
+    /// exactly.
     WaveCell pass(const WaveCell& in, double width) {
         const double rate = m_frequency * width, before = m_mean;
         m_mean = (before * (1 - rate / 2) + rate * in.mean()) / (1 + rate / 2);
@@ -57,8 +59,8 @@ class ReturnedLoss {
     /// Returns the momentum that the loss has taken from waves and not yet returned to the string, in units
     /// of I0.
     double held() const { return (1 - m_passing) * m_mean / m_frequency; }
-    /// Returns Z times the energy that the momentum not yet returned has, (1 − s) m²/f; Z is the impedance of
-    /// the section.
+    /// Returns Z times the energy (1 − s) m²/(f Z) of the momentum that is still to be returned to the
+    /// string. Z is the impedance of the section.
     double square() const { return held() * m_mean; }
     /// Returns Z times the energy that waves have lost here since the first blow; Z is the impedance of the
     /// section.
@@ -77,7 +79,8 @@ struct RearSample {
     double time = 0;
     /// Velocity of the rear end, in units of F0/Zr, positive towards the rock.
     double velocity = 0;
-    /// Force of the damper on the rear end, in units of F0; ≥ 0 with a machine mass.
+    /// Force of the damper on the rear end, in units of F0; ≥ 0 with a machine body. Without one it is the
+    /// constant feed force, which may be negative.
     double damperForce = 0;
     /// Position x_b of the machine body, in units of I0/Zr, positive towards the rock. Without a machine it
     /// is the position of the rear end.
@@ -86,12 +89,13 @@ struct RearSample {
 
 /// State of the bit at the end of a time step, in the dimensionless units of Problem (problem.h).
 struct BitSample {
-    /// Time since the first blow, in units of t0. It is the reading of the bit's clock plus the transit time
-    /// of the string, by which that clock is late.
+    /// Time since the first blow, in units of t0. The bit is computed on a clock that is late by the transit
+    /// time of the string; this delay is already added.
     double time = 0;
     /// Impact force, in units of F0; ≥ 0.
     double force = 0;
-    /// Penetration below the rock surface that was there before the first blow, in units of I0/Zr.
+    /// Penetration of the bit, in units of I0/Zr, below the rock surface that was there before the first
+    /// blow.
     double penetration = 0;
     /// Velocity of the bit, in units of F0/Zr, positive towards the rock.
     double velocity = 0;
@@ -103,17 +107,17 @@ struct DrillingSamples {
     std::vector<BitSample> bit;
 };
 
-/// Waves in rod or string during one blow of a sequence, and during the interval before it. Times are counted
-/// from that blow, in units of t0; other units are those of Problem.
+/// Waves in rod or string during one blow of a sequence and the blow before it, each with the interval up to
+/// the next blow. Times are counted from the later blow, in units of t0; other units are those of Problem.
 struct MarchedWaves {
     /// Waves in all sections; null if they are too many to be stored.
     std::shared_ptr<StringWaves> waves;
-    /// Contact events of bit and rock, in order of time, from the start of the previous blow on.
+    /// Contact events of bit and rock in order of time, during the previous blow and this one.
     std::vector<ImpactEvent> events;
     /// Position of the bit relative to the bottom of the crater at the start of the blow, in units of I0/Zr;
     /// positive into the rock, negative while apart.
     double place = 0;
-    /// Largest earlier force on the rock that the bit meets in this blow, in units of F0.
+    /// Largest force that the rock under the bit has felt before this blow, in units of F0.
     double rememberedForce = 0;
     /// Residual penetration that earlier blows have left in the rock, in units of I0/Zr; 0 on new rock.
     double residual = 0;
@@ -159,23 +163,26 @@ class DrillingMarch {
     /// Returns the momentum m_h v0 of the hammer, in units of I0; 1 for a prescribed force.
     double hammerMomentum() const { return m_hammerMomentum; }
 
-    /// Sets the lists to which the states of rear end and bit in the following blows are appended; nullptr to
-    /// stop the recording.
+    /// Sets the lists to which the states of rear end and bit are appended during the following blows.
+    /// nullptr stops the recording.
     void watch(DrillingSamples* samples) { m_samples = samples; }
-    /// Computes the interval after the last blow and the next blow, and returns the waves of both. The first
-    /// blow has no interval before it. The waves are null if they are too many, if the computation fails, or
-    /// if a stop is requested.
+    /// Computes two blows, each with the interval up to the next blow, and returns the waves of both. Their
+    /// time is zero at the second blow. If no blow was computed before, it computes only the first blow,
+    /// whose time is zero. The waves are null if they are too many, if the computation fails, or if a stop is
+    /// requested.
     MarchedWaves takeBlowWithWaves(const std::stop_token& stop);
 
     /// Changes the waves and the position of the bit slightly, to make a second state near the first one.
-    /// `distance` is the change of a wave [F0] and of the position [I0/Zr]. approach() then sets the size of
-    /// the difference.
+    /// Both are then computed further, which shows how fast such states diverge. `distance` is the change of
+    /// a wave [F0] and of the position [I0/Zr]. approach() then sets the size of the difference.
     void displace(double distance);
     /// Returns the distance between this state and another one of the same problem, both just before a blow.
-    /// It is the root of a sum of squares over waves, position, velocity and force of the bit. With a machine
-    /// its velocity is included, and with a spring the stretch x of the spring.
+    /// Its growth from blow to blow gives the Lyapunov exponent. It is the root of a sum of squares over
+    /// waves, lumped masses, and position, velocity and force of the bit. A machine adds its velocity and the
+    /// stretch x of its spring.
     double distanceTo(const DrillingMarch& other) const;
-    /// Moves this state towards the state `other` until distanceTo() returns the given distance.
+    /// Moves this state towards the state `other` until distanceTo() returns the given distance. For the
+    /// Lyapunov exponent, two states are brought close together again after every blow.
     void approach(const DrillingMarch& other, double distance);
 
   private:
@@ -208,9 +215,10 @@ class DrillingMarch {
     std::vector<Joint> m_joints;
     RearNode m_rear;
     BitNode m_bit;
-    /// Losses at the rear end of each section, of the waves towards the rock and of those away from it.
+    /// Losses of the waves at the rear end of each section. m_downLosses are for waves towards the rock,
+    /// m_upLosses for waves away from it.
     std::vector<ReturnedLoss> m_downLosses, m_upLosses;
-    /// Whether any section or joint of the string has a loss.
+    /// Whether attenuation in a section or a loss in a joint of the string takes energy from the waves.
     bool m_isWeakened = false;
     /// Waves b that arrive at the rear ends of all sections over one time step.
     std::vector<WaveCell> m_arriving;
@@ -223,20 +231,21 @@ class DrillingMarch {
     long m_cells = 0;
     /// Number of cells (time steps) in the present interval between two blows.
     long m_nextInterval = 1;
-    /// Index of the cell (time step) in the present interval in which the bit's clock reaches the time of the
-    /// next blow.
+    /// Index of the cell (time step) in which the bit reaches the time of the next blow, counted from the
+    /// start of the present interval. The bit has a clock of its own, which is late by the transit time of
+    /// the string.
     long m_gapCell = 0;
     std::size_t m_gapPart = 0;  ///< part of cell m_gapCell in which the next blow begins
     double m_gapShare = 0;      ///< fraction of part m_gapPart at which the next blow begins, 0 … 1
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
-    /// Impulse on the rock that is computed in the present interval between blows and acts before the next
-    /// blow, in units of I0.
+    /// Part of the impulse on the rock in the present interval that acts before the next blow, in units of
+    /// I0. The rest acts after it, because the bit's clock is late.
     double m_impulseToGap = 0;
     /// Momentum of the string at the last blow, in units of I0, positive towards the rock.
     double m_momentumAtBlow = 0;
     /// Impulse on the rock that was computed in the interval before the last blow but acts after that blow,
-    /// because the bit's clock is late; in units of I0.
+    /// in units of I0. This happens because the bit's clock is late.
     double m_impulseCarriedOver = 0;
     /// Impulse J that the hammer transferred in the previous interval between blows, in units of I0.
     double m_lastImpulse = 0;
@@ -253,7 +262,8 @@ class DrillingMarch {
     std::string_view m_failureReason;
     DrillingSamples* m_samples = nullptr;
     MarchedWaves* m_kept = nullptr;
-    /// Number of cells (time steps) from the first blow until the clock of the recorded waves reads zero.
+    /// Number of cells (time steps) from the first blow to the start of the recorded blow, at which the time
+    /// of the recorded waves is zero.
     long m_keptCell = 0;
     /// Waves that enter each section at its rear end (down) and at its front end (back) over one time step.
     std::vector<WaveCell> m_downs, m_backs;

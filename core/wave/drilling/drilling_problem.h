@@ -113,7 +113,7 @@ struct DrillingLedger {
     double damper = 0;
     /// Energy that waves have lost in sections and joints.
     double waves = 0;
-    /// Elastic energy lost because compressed rock was replaced by new rock.
+    /// Elastic energy of compressed rock that was lost because the bit turned to new rock.
     double faces = 0;
     /// Increase of the energy in machine, waves and lumped masses since the first blow.
     double stored = 0;
@@ -134,12 +134,13 @@ struct DrillingGrid {
     CellCuts cuts;
     /// Number of cells (time steps) in the mean interval between blows.
     long cellsOfInterval = 1;
-    /// Whether hammer and string count as separate as soon as they part; otherwise only after they have been
-    /// apart for a cell (time step). It is false if round trips are not whole numbers of cells. The cubic
-    /// that represents a wave front then oscillates, and may open a false gap.
+    /// Whether hammer and string count as separated as soon as the contact force is zero; otherwise only
+    /// after a whole time step (cell) without contact. It is false if the round trips of waves are not whole
+    /// numbers of time steps. The polynomial that represents a wave front then oscillates, and may open a gap
+    /// that does not exist.
     bool releasesAtOnce = true;
 
-    /// Returns the mean interval between blows as computed, in units of t0.
+    /// Returns the mean interval between blows, rounded to whole cells (time steps), in units of t0.
     double interval() const { return static_cast<double>(cellsOfInterval) * cell; }
     /// Returns the relative change of the blow frequency that results if the interval between blows is
     /// rounded to whole cells (time steps).
@@ -151,8 +152,8 @@ struct DrillingGrid {
     /// Returns the index of the first section whose round trip is shorter than a cell (time step), which the
     /// computation refuses; nothing if there is none.
     std::optional<std::size_t> shortSection() const;
-    /// Returns the estimated work of computing one blow, in cells (time steps) times nodes (ends of
-    /// sections).
+    /// Returns the estimated work of computing one blow: the number of cells (time steps) times the number of
+    /// nodes (ends of sections).
     double work(const DrillingProblem& problem) const {
         return static_cast<double>(cellsOfInterval) * static_cast<double>(cuts.count()) *
                static_cast<double>(problem.blow.sections.size() + 1);
@@ -164,11 +165,11 @@ struct DrillingGrid {
 /// of cells. All round trips also become whole numbers, if a common cell of at least an eighth of the wanted
 /// size divides them.
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
-/// Returns a second division of time, for the estimate of the error that the cells (time steps) cause. Its
-/// cells are twice as large as those of drillingGridOf(), or half as large if the round trips of a string
-/// share no larger cell. The interval is the same, so results differ because of the cells only. The hammer
-/// always separates at once; the effect of separations shorter than a cell is therefore part of the
-/// difference.
+/// Returns a second division of time, to estimate the error that the cells (time steps) cause. Its cells are
+/// twice as large as those of drillingGridOf(). They are half as large if the round trips of a string share
+/// no larger cell. The interval between blows is the same, so results differ because of the cells only. The
+/// hammer always separates at once; the difference therefore includes the effect of separations shorter than
+/// a cell.
 DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 
 }  // namespace drillwave

@@ -16,8 +16,8 @@ namespace drillwave {
 
 // Wave read at a fraction of a cell (time step), from a least-squares fit to two stored cells
 
-/// Wave over one cell (time step) that begins at the fraction θ = `share` of a stored cell and ends in the
-/// next stored cell:
+/// Wave over one cell (time step) that does not coincide with the stored cells. It begins at the fraction θ =
+/// `share` of a stored cell and ends in the next stored cell:
 ///
 ///     s(u) = old(u + θ) for u < 1 − θ, next(u − 1 + θ) after,   0 ≤ θ < 1
 ///
@@ -25,7 +25,8 @@ namespace drillwave {
 class CellShift {
   public:
     CellShift() = default;
-    /// Creates the projection for the fraction θ = `share`, 0 ≤ θ < 1.
+    /// Creates the projection for a wave that is shifted by the fraction θ = `share` of a cell (time step), 0
+    /// ≤ θ < 1.
     explicit CellShift(double share) : m_share(share) {
         const GaussRule& rule = gaussRule();
         constexpr int count = WaveCell::count;
@@ -47,9 +48,11 @@ class CellShift {
         }
     }
 
-    /// Returns whether θ > 0, so that a projection is needed.
+    /// Returns whether θ > 0. If not, a stored cell (time step) is the wave itself, and project() is not
+    /// needed.
     bool isShifted() const { return m_share > 0; }
-    /// Returns the cubic for the wave that begins in the cell (time step) `old` and ends in the cell `next`.
+    /// Returns the cubic that replaces the wave over a cell (time step) that begins in the stored cell `old`
+    /// and ends in the stored cell `next`.
     WaveCell project(const WaveCell& old, const WaveCell& next) const {
         // the coefficients are in separate arrays, so that the processor computes them in parallel
         Row first{}, second{};
@@ -62,8 +65,8 @@ class CellShift {
         for (int m = 0; m < WaveCell::count; ++m) out.c[m] = first[m] + second[m];
         return out;
     }
-    /// Returns the integral ∫f du over the first fraction θ of a cell (time step), in units of F0; u runs
-    /// from 0 to 1 in the cell.
+    /// Returns the integral ∫f du of the wave f over the first fraction θ of its cell (time step), in units
+    /// of F0; u runs from 0 to 1 in the cell.
     double headMean(const WaveCell& f) const {
         double sum = 0;
         for (int k = 0; k < WaveCell::count; ++k) sum += m_headMean[k] * f.c[k];
@@ -92,28 +95,28 @@ class CellShift {
     }
 
     double m_share = 0;
-    /// linear maps from the coefficients of the cells `old` and `next` to those of the result; indices [of
-    /// input][of output]
+    /// Linear maps from the Legendre coefficients of the cells (time steps) `old` and `next` to those of the
+    /// result. The first index is the coefficient of the input, the second that of the result.
     Map m_ofOld{}, m_ofNext{};
     Row m_headMean{};
     Map m_headSquare{};
 };
 
-/// Waves in a section with loss, over one round trip 2T. Their content b relaxes to its own mean A at the
-/// rate λ = −ln(1 − η)/2T (D3) (D4):
+/// Waves in a section with loss, over one round trip 2T. The wave b in the section relaxes to its own mean A
+/// at the rate λ = −ln(1 − η)/2T (D3) (D4):
 ///
 ///     B' = b_in − b_out,   A' = λ (B/2T − A),   stored: c = b_in − A,   b_out(t) = (1 − η) c(t − 2T) + A(t)
 ///
-/// −B is the momentum of the section and B/Z its shortening; the loss changes neither.
+/// −B is the momentum of the section and B/Z its shortening, with B = ∫b dt; the loss changes neither.
 ///
-/// A round trip need not be a whole number of cells. The wave that arrives over a cell then lies in two
-/// stored cells, and is replaced by their projection. The projection conserves B; its loss of energy is
-/// counted.
+/// A round trip need not be a whole number of cells (time steps). The wave that arrives during a cell then
+/// lies in two stored cells, and is replaced by its projection to a cubic. The projection conserves B; its
+/// loss of energy is counted.
 class LossyLine {
   public:
-    /// Starts a section whose round trip is `cells` ≥ 1 cells of the size `cell` [t0]. `loss` is η, 0 ≤ η <
-    /// 1. `widths` are the widths of the parts of a cell, in order; `cells` may be fractional only if there
-    /// is one part.
+    /// Prepares the section, without waves. Its round trip is `cells` ≥ 1 cells (time steps) of the size
+    /// `cell` [t0]. `loss` is the loss η per round trip, 0 ≤ η < 1. `widths` are the widths of the parts of a
+    /// cell, in order. `cells` may be fractional only if there is one part.
     void begin(double cells, double cell, double loss, std::span<const double> widths) {
         m_line.restart(static_cast<std::size_t>(std::ceil(cells)) * widths.size(), 1);
         m_shift = CellShift(std::ceil(cells) - cells);
@@ -148,8 +151,8 @@ class LossyLine {
     /// Returns whether the section has a wave loss.
     bool isLossy() const { return m_rate > 0; }
 
-    /// Returns the wave b_out that leaves the section over the next time step (part of a cell), in units of
-    /// F0.
+    /// Returns the wave b_out that leaves the section over the next time step (a cell or a part of one), in
+    /// units of F0.
     WaveCell arrive() {
         WaveCell out = *m_line.arriving();
         if (m_shift.isShifted()) {
@@ -164,8 +167,8 @@ class LossyLine {
         out.c[1] += 0.5 * (m_next - m_mean);
         return out;
     }
-    /// Stores the wave b_in that enters the section over the time step for which arrive() returned `out`.
-    /// `part` is the index of this time step among the parts of its cell.
+    /// Stores the wave b_in that enters the section over the same time step as the wave `out` that arrive()
+    /// returned. `part` is the index of this time step among the parts of its cell.
     void enter(const WaveCell& in, const WaveCell& out, std::size_t part) {
         WaveCell& stored = *m_line.leaving();
         stored = in;
@@ -176,7 +179,7 @@ class LossyLine {
         pass(in.mean() - out.mean(), (in - out).meanProduct(in + out), part);
     }
     /// Stores the wave that enters if the leaving wave `out` is reflected with the constant `change` [F0]
-    /// added, b_in = out + change. The result is that of enter(), but the next mean A can be computed sooner.
+    /// added, b_in = out + change. It replaces enter() for a rod in free flight, for which it is faster.
     void turn(double change, const WaveCell& out, std::size_t part) {
         const WaveCell& oldest = *m_line.arriving();
         WaveCell& stored = *m_line.leaving();
@@ -185,11 +188,11 @@ class LossyLine {
         pass(change, change * (2 * out.mean() + change), part);
     }
 
-    /// Returns the integral B = ∫b dt of the wave b in the section, over the time that the wave takes to
-    /// pass, in units of I0.
+    /// Returns the integral B = ∫b dt, in units of I0, of the wave b in the section. It is taken over one
+    /// round trip 2T, which the wave needs to run through the section and back.
     double held() const { return m_held; }
-    /// Returns the integral ∫b² dt of the square of the wave b in the section, over the time that the wave
-    /// takes to pass, in units of F0² t0.
+    /// Returns the integral Q = ∫b² dt, in units of F0² t0, of the square of the wave b in the section. It is
+    /// taken over one round trip 2T, which the wave needs to run through the section and back.
     double square() const { return m_square - headEnergy(); }
     /// Returns Z times the energy that the wave b has lost since the last fill(), in units of F0² t0. It is
     /// ∫2λ(Q − B²/2T) dt, with the loss rate λ of the line, its transit time T, Q = ∫b² dt and B = ∫b dt,
@@ -198,15 +201,15 @@ class LossyLine {
 
     // Functions that compare and move states
 
-    /// Returns the wave in the section less its mean, c = b − A, as stored cells (time steps), the oldest
-    /// first.
+    /// Returns the wave in the section less its mean, c = b − A, as the stored cells (time steps). The oldest
+    /// cell is first.
     std::span<const WaveCell> stored() const { return m_line.content(); }
     std::span<WaveCell> stored() { return m_line.content(); }
     /// Returns the mean A to which the wave in the section relaxes, in units of F0; used only with a loss.
     double mean() const { return m_mean; }
-    /// Moves the stored cells c, the mean A and the integral B towards those of the section `other`, until
-    /// the fraction `share` (0 … 1) of the difference remains. `widths` are the widths of the parts of a
-    /// cell, in units of t0.
+    /// Moves the wave in this section towards that in the section `other`, until only the fraction `share` (0
+    /// … 1) of the difference remains. It changes the stored cells c, the mean A and the integral B. `widths`
+    /// are the widths of the parts of a cell (time step), in units of t0.
     void approach(const LossyLine& other, double share, std::span<const double> widths) {
         const auto others = other.stored();
         const auto own = stored();
@@ -229,8 +232,8 @@ class LossyLine {
         m_oldestSquare = m_line.arriving()->meanSquare();
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
-    /// Adds a constant to each stored cell, to make a slightly different state. The first constant is `wave`
-    /// [F0]; each further one is −0.7 times the constant before.
+    /// Adds a constant to each stored cell (time step), to make a slightly different state for the Lyapunov
+    /// exponent. The first constant is `wave` [F0]; each further one is −0.7 times the constant before.
     void displace(double wave) {
         for (WaveCell& cell : stored()) {
             cell.c[0] += wave;
@@ -243,25 +246,27 @@ class LossyLine {
     CellShift m_shift;          ///< shift by the difference of the stored cells to a round trip
     double m_oldestSquare = 0;  ///< mean square of the wave in the oldest stored cell
     double m_headAtFilling = 0;
-    /// Mean square of the oldest stored cell, less that of the wave that arrived instead: the energy lost by
-    /// projection.
+    /// Decrease of the mean square [F0²] of the wave over the present time step by the projection to a cubic:
+    /// the energy lost by it.
     double m_projected = 0;
     double m_roundTrip = 1;  ///< round trip 2T of a wave in the section, in units of t0
     double m_ofRoundTrip = 1;
     double m_kept = 1;  ///< factor 1 − η by which a deviation from the mean is reduced
     double m_rate = 0;  ///< rate λ at which the wave relaxes to its mean, per t0
-    /// Coefficients of the equations (D3) of the wave loss for one time step (part of a cell).
+    /// Coefficients for the wave loss (D3) during one time step (a part of a cell).
     struct Part {
         double width;  ///< width Δ of the part, in units of t0
         double loss;   ///< product 2λΔ, relative loss of energy of a deviation
-        /// Factor e^(−λΔ) by which the present mean A enters the next one; Δ is the width of the following
+        /// Factor e^(−λΔ) by which the present mean A enters the next mean. Δ is the width of the following
         /// part.
         double nextKept;
-        /// Factors by which B before this part, and the rate B' over it, enter the next mean A.
+        /// Factors in the equation of the next mean A: of the integral B before this part, and of its rate B'
+        /// during this part.
         double ofHeld, ofFlux;
     };
-    /// Completes one time step: `flux` and `power` are the means of B' and Q' over it. The next A is computed
-    /// first, because the computation at the ends of the section waits for it.
+    /// Completes one time step. `flux` and `power` are the means over it of the rates B' and Q', with B = ∫b
+    /// dt and Q = ∫b² dt. The mean A at the end of the next step is computed first, because the ends of the
+    /// section wait for it.
     void pass(double flux, double power, std::size_t part) {
         const Part& of = m_parts[part];
         if (isLossy()) {

@@ -17,14 +17,14 @@ namespace drillwave {
 struct RearState {
     /// Velocity v_b of the machine body, in units of F0/Zr, positive towards the rock.
     double bodyVelocity = 0;
-    /// Rounding error of the velocity v_b, in units of F0/Zr. The next step corrects it, so that a heavy body
-    /// conserves its momentum.
+    /// Rounding error of the velocity v_b, in units of F0/Zr. The next time step corrects it, so that the
+    /// momentum of a heavy body is conserved.
     double velocityRest = 0;
     /// Position of the machine body relative to the rear end, x = x_b − x_r, in units of I0/Zr.
     double stretch = 0;
     /// Gap between hammer and rear end, in units of I0/Zr; ≥ 0.
     double faceGap = 0;
-    /// Contact force P/F0 of faces with a contact stiffness.
+    /// Contact force P/F0 of hammer and string if their faces have a contact stiffness; 0 for rigid faces.
     double faceForce = 0;
     /// Whether the hammer touches the rear end.
     bool touching = false;
@@ -79,8 +79,8 @@ class RearNode {
         HammerFace face;
         /// Machine body with damper; nothing for a constant force.
         std::optional<MachineBody> machine;
-        /// Whether hammer and string count as separate as soon as they part; otherwise only after they have
-        /// been apart for a cell (time step).
+        /// Whether hammer and string count as separated as soon as the contact force is zero; otherwise only
+        /// after a whole time step (cell) without contact.
         bool releasesAtOnce = true;
     };
     RearNode() = default;
@@ -99,31 +99,32 @@ class RearNode {
         /// Returns the total force on the rear end, in units of F0.
         WaveCell sum() const { return face + damper; }
     };
-    /// Advances the struck end of the string by one time step and returns the forces on it. `part` is the
-    /// index of the step within a cell. `f1` is the wave that arrives through the hammer, `b2` the one that
-    /// arrives through the string. `force` is the given force of the hammer blow; null if there is none or it
-    /// has ended.
+    /// Advances the struck end of the string by one time step and returns the forces on it. `f1` is the wave
+    /// that arrives through the hammer, `b2` the one that arrives through the string. `force` is the
+    /// prescribed force; null if there is none or it has ended. `part` is the index of this time step among
+    /// the parts of its cell.
     Forces step(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part) {
         if (!m_machine && !force && !hasHammer()) return {{}, WaveCell::constant(m_meanForce)};
         return push(f1, b2, force, part);
     }
-    /// Completes the sums since the last blow, at the end of the interval `duration` [t0] between two blows.
-    /// `rearMoved` is the displacement of the rear end since the blow, in units of I0/Zr.
+    /// Completes impulses and work at the rear end since the last blow, at the end of the interval `duration`
+    /// [t0] between two blows. `rearMoved` is the displacement of the rear end since the blow, in units of
+    /// I0/Zr.
     void endCycle(double duration, double rearMoved);
 
     /// Returns the state of machine, rear end and hammer after the last time step.
     const RearState& state() const { return m_now; }
     /// Restores a state of machine, rear end and hammer.
     void setState(const RearState& state) { m_now = state; }
-    /// Returns the sums since the last blow; they are complete after endCycle().
+    /// Returns impulses and work at the rear end since the last blow. They are complete after endCycle().
     const RearSums& sums() const { return m_sums; }
     /// Returns the mean force S of the feed in the present interval, in units of F0.
     double meanForce() const { return m_meanForce; }
     /// Returns the velocity of the rear end per unit of force, 1/Z2 with the impedance Z2 of the first
     /// section, in units of 1/Zr.
     double mobility() const { return m_mobility; }
-    /// Returns the elastic energy in the contact stiffness of the faces [I0²/(Zr t0)]. It is lost with a
-    /// hammer that still touches at the next blow.
+    /// Returns the elastic energy in the contact stiffness of the faces [I0²/(Zr t0)]. If the hammer still
+    /// touches at the next blow, this energy is lost, because a new hammer replaces it.
     double faceEnergy() const {
         return m_parts.face.stiffness ? m_now.faceForce * m_now.faceForce / (2 * *m_parts.face.stiffness) : 0;
     }
@@ -143,25 +144,25 @@ class RearNode {
         bool pressing = true;
         Face face = Face::given;
     };
-    /// Motion of rear end, machine and hammer over a part of a cell without an event, as power series in v, 0
-    /// ≤ v ≤ 1.
+    /// Motion of rear end, machine and hammer during a part of a time step (cell) in which no contact opens
+    /// or closes. Its members are power series in v, 0 ≤ v ≤ 1.
     struct Piece {
         Modes modes;
         double from = 0, width = 1;
         int count = 0;
         Series push{}, damper{}, rear{}, body{}, stretch{}, gap{};
-        /// Quantity whose zero is the next event of the damper: it is positive until the damper lifts or
-        /// presses again.
+        /// Function of v whose zero is the next event of the damper. It is positive until the damper lifts
+        /// off, or presses again.
         Series margin{};
     };
     struct Inputs {
         Powers f1, b2, force;
         double width;
     };
-    /// Linear map over a whole cell (time step) in which the damper presses and nothing else changes. The
-    /// inputs are the feed force S; the coefficients of q = P − 2 b2 from the third down to the first; x,
-    /// v_b; and the mean of q. Inputs that are known late come last, so that most of the products can be
-    /// computed before.
+    /// Linear map over a whole cell (time step) in which the damper presses and no contact changes. It gives
+    /// the damper force during the cell, and the position x at its end. Its inputs, in this order, are the
+    /// feed force S; Legendre coefficients 3, 2 and 1 of q = P − 2 b2; x; v_b; the mean of q. Inputs that are
+    /// known late come last, so that most of the products can be computed before.
     struct PressingMap {
         static constexpr int inputs = WaveCell::count + 3;
         static constexpr int outputs = WaveCell::count + 1;  ///< number of outputs: D, and x at the end

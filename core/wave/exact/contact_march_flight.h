@@ -12,10 +12,10 @@
 
 namespace drillwave {
 
-/// Returns whether it is proven that no contact can follow, even if the hammer still pushes. In each round
-/// trip of a wave, the front end moves by twice the momentum of the rod. The hammer adds at most the rest of
-/// its impulse to that momentum. Within a round trip, the front end moves no further than the waves in the
-/// rod and this rest can push it.
+/// Returns whether it is proven that bit and rock cannot touch again, even if the hammer still pushes. In
+/// each round trip of a wave, the front end moves by twice the momentum of the rod. The hammer adds at most
+/// the rest of its impulse to that momentum. Within a round trip, the front end moves no further than the
+/// waves in the rod and this rest can push it.
 template <class Basis>
 bool ContactMarch<Basis>::staysAway() {
     m_nextProof = m_s + m_roundTrip;
@@ -40,9 +40,9 @@ bool ContactMarch<Basis>::staysAway() {
     return !m_basis.failed();
 }
 
-/// Follows free flight after the end of the hammer force, when both ends are free and the incident wave is
-/// periodic. It ends at the next contact, or with the proof that none follows: a whole period without
-/// contact, and momentum not towards the rock (T21).
+/// Follows the free flight over one period (round trip) after the end of the hammer force, when both ends are
+/// free and the incident wave repeats. It ends at the next contact, or with the proof that none follows. The
+/// proof is a period without contact and with momentum not towards the rock (T21).
 template <class Basis>
 typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
     Real momentum = 0;
@@ -126,9 +126,9 @@ void ContactMarch<Basis>::finish() {
     if (m_detail != Detail::cor) summarise();
 }
 
-/// Computes peak force, end of contact and work on the rock, and the sums over the last period, which balance
-/// momentum and energy independently. If energy is missing, the force has not followed the law, and the blow
-/// counts as not solved.
+/// Computes peak force, contact duration and work on the rock of a solved blow. With Detail::ledger, it also
+/// sums momentum and energy of the waves that remain in the rod. If the energies then do not balance, the
+/// blow is marked as not solved.
 template <class Basis>
 void ContactMarch<Basis>::summarise() {
     Impact& impact = *m_impact;

@@ -28,7 +28,8 @@ namespace drillwave {
 // Waves inside the rod: the incident wave of the next round trip, as a queue of smooth pieces
 
 /// First-in first-out queue of pieces of a wave, which keeps its memory between solutions. Index 0 is the
-/// piece that arrives next. It is a ring of pointers, because free flight sends long pieces round many times.
+/// piece that arrives next. It is a ring of pointers, so that moving a long piece from the front to the back
+/// is cheap.
 template <class Piece>
 class WaveQueue {
   public:
@@ -70,8 +71,8 @@ class WaveQueue {
         ++m_size;
         return back();
     }
-    /// Moves the first `count` pieces to the back unchanged, in order. It stands for waves that arrived at
-    /// the bit and were reflected by both free ends of the rod.
+    /// Moves the first `count` pieces of the wave to the back of the queue, in order. This is what happens
+    /// without contact: both free ends of the rod reflect the wave, and it returns unchanged.
     void rotate(std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
             std::swap(m_ring[m_head], m_ring[(m_head + m_size) & m_mask]);
@@ -101,41 +102,45 @@ class WaveQueue {
 
 /// Limits for the work of an exact solution, and options for what it records.
 struct MarchLimits {
-    /// Maximum number of smooth pieces into which the waves of one blow are divided.
+    /// Maximum number of smooth pieces into which the waves of one blow are divided; a blow that needs more
+    /// is not solved.
     long pieces = 30'000'000;
     /// Source of stop requests; null if there is none.
     const std::stop_token* stop = nullptr;
     /// Change of the input by a few units of rounding, to estimate the sensitivity of the result.
     InputMove move = {};
-    /// Function that receives the recorded histories in parts, so that their length is unlimited; may be
-    /// null. It is called when they have piecesHandedOver pieces, then whenever they have as many pieces as
-    /// it returned before.
+    /// Function that receives the recorded histories in parts, so that they need not fit in memory; null if
+    /// not used. It is called when piecesHandedOver pieces are recorded. Each call returns the number of
+    /// pieces at which it is called again.
     const HandOver* handOver = nullptr;
     /// Whether the sums of Detail::ledger (momentum and energy of the waves) are computed, if that detail is
     /// requested.
     bool ledger = true;
-    /// Largest permitted error of the coefficient of restitution; a solution is given up as soon as its error
-    /// exceeds this value.
+    /// Largest permitted error of the coefficient of restitution. The computation stops as soon as its error
+    /// exceeds this value, and the blow is not solved.
     double error = std::numeric_limits<double>::infinity();
 };
 
-/// Solver for one blow of a hammer force Fa on a uniform rod, piece by piece of the incident wave g at the
-/// bit, for the impact force F:
+/// Solver for the impact force F of one blow, with the hammer force Fa on a uniform rod. It follows the
+/// incident wave g at the bit, one smooth piece of the wave after another:
 ///
 ///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
 ///
 ///     F' = a(2g − F),  a = β, s_j β after a corner, β/γ or 0              [paper (5)] [paper (8)]
 ///
-/// `Basis` represents functions on an interval. It solves one piece of contact exactly, finds first zeros,
-/// and cuts and integrates pieces. Basis::failed() reports a function that it cannot represent.
+/// The rate a is the slope of the present line of the bit–rock law, or 0 while bit and rock are apart.
+/// `Basis` is the representation of wave pieces: exponential sums or power series. It solves the second
+/// equation over one piece, finds zeros, cuts and integrates. Basis::failed() reports a function that it
+/// cannot represent.
 template <class Basis>
 class ContactMarch {
   public:
     using Real = typename Basis::Real;
     using Piece = typename Basis::Piece;
 
-    /// Solves the blow and writes the result into `impact`. Returns false if the basis cannot represent the
-    /// blow to full accuracy. Too many pieces or a stop request give Outcome::notSolved.
+    /// Solves the blow and writes the result into `impact`. Returns false if `Basis` cannot represent its
+    /// waves to full accuracy; the result is then invalid. Too many wave pieces or a stop request give
+    /// Outcome::notSolved.
     bool solve(const Problem& problem, Detail detail, Impact& impact, const MarchLimits& limits = {});
 
   private:
@@ -163,22 +168,22 @@ class ContactMarch {
     }
     using Response = typename Basis::Response;
 
-    /// Largest rate a of a contact, F' = a(2g − F), per t0; larger rates are reduced to it. A faster force
-    /// would follow the wave within the rounding error of time. The limit changes the coefficient of
-    /// restitution by less than 1e-13.
+    /// Upper limit of the rate a [1/t0] in F' = a(2g − F); larger rates are replaced by it. At this rate, the
+    /// force follows the wave within the rounding of time. The limit changes the coefficient of restitution
+    /// by less than 1e-13.
     static constexpr Real fastestRate = Real(1e15);
 
-    /// Limits of the number of events in a row at the same time. Above the first one, mayStay() checks
-    /// whether only rounding decides between the lines of the law; the contact then stays on its line. Above
-    /// the second one, it stays without a check.
+    /// Limits of the number of contact events in a row at the same time. Above repeatedEvents, mayStay()
+    /// checks whether only rounding makes the force change between lines of the law; it then stays on its
+    /// line. Above mostEventsOnTheSpot, it stays without a check.
     static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
 
     /// Largest gap, in units of I0/Z, that counts as rounding of the distance travelled, not as a separation.
     static constexpr Real closedGap = 8 * std::numeric_limits<Real>::epsilon();
 
-    /// Largest missing energy of a valid result, as a share like Impact::energyResidual(). Correct solutions
-    /// miss at most 4e-10, because of joined pieces of waves. If the force changes between lines of the law
-    /// where they do not meet, 1e-3 or more is missing.
+    /// Largest relative error of the energy balance (Impact::energyResidual()) of a valid result. Correct
+    /// solutions have at most 4e-10. If the force changes between lines of the bit–rock law where they do not
+    /// meet, it is 1e-3 or more.
     static constexpr double mostMissingEnergy = 1e-6;
 
     /// Number of computed pieces between two checks for a stop request; they take about one millisecond.
@@ -187,7 +192,8 @@ class ContactMarch {
     static constexpr Real never = std::numeric_limits<Real>::infinity();
 
     static constexpr std::size_t mostWaiting = 400'000;
-    /// Maximum number of recorded pieces. They take 0.9 kB each while the recording grows, 3.6 GB in all.
+    /// Maximum number of wave pieces in the recorded histories. Each takes 0.9 kB while the recording grows,
+    /// 3.6 GB in all.
     static constexpr long mostRecordedPieces = 4'000'000;
 
     void begin(const Problem& problem, Detail detail, Impact& impact);
@@ -224,8 +230,8 @@ class ContactMarch {
     void note(ContactEvent kind) {
         if (m_detail >= Detail::events) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
-    /// Returns whether the solution must end now: at the work limit, after an error, or on a stop request.
-    /// The check is cheap enough for every piece.
+    /// Returns whether the solution must end now, because of the work limit, too large an error, or a stop
+    /// request. The blow is then marked as not solved. The check is cheap enough for every piece.
     bool isOver() {
         if (m_waves.size() > mostWaiting) return failAtLimit();
         if (m_error > m_limits.error) return fail(translatable("its error would be larger than permitted"));
@@ -243,7 +249,8 @@ class ContactMarch {
         return true;
     }
 
-    /// Marks the blow as not solved because rounding decides the order of two events; returns false.
+    /// Marks the blow as not solved because the order of two contact events depends on rounding; returns
+    /// false.
     bool undecided() {
         fail(translatable("the order of two events hangs on rounding"));
         return false;
@@ -268,14 +275,15 @@ class ContactMarch {
     MarchLimits m_limits;
     long m_mostPieces = 0;
     std::size_t m_nextHandOver = 0;
-    /// Number of pieces after which the work limit and a stop request are checked next.
+    /// Number of computed wave pieces at which the work limit and stop requests are checked next.
     long m_nextLook = 0;
     Detail m_detail = Detail::cor;
 
-    /// Law of bit and rock, which includes the largest force that the rock remembers.
+    /// Bit–rock law with its memory, the largest force so far.
     ContactLaw<Real> m_law{1, 1};
     Real m_roundTrip = 0;
-    /// Time t/t0 since the start of the blow at which the first wave reaches the bit, where s = 0.
+    /// Time t/t0 since the start of the blow at which the first wave reaches the bit. The time s is counted
+    /// from there.
     Real m_arrival = 0;
     typename Basis::Sum m_s;  ///< present time s/t0 at the front end
     /// Time up to which the hammer force has been added to the waves, in units of t0.
@@ -289,22 +297,26 @@ class ContactMarch {
     int m_eventsOnTheSpot = 0;
     /// Line of the bit–rock law on which the contact is now; `apart` also for contact without force.
     ContactLine m_line = ContactLine::apart;
-    /// Number of whole round trips of free flight that still pass before m_gap starts to close.
+    /// Number of whole round trips of free flight before the gap m_gap starts to close.
     Real m_periodsAhead = 0;
     /// Gap between bit and rock that is left after m_periodsAhead, in units of I0/Z.
     CompensatedSum<Real> m_gap;
-    /// Error of the coefficient of restitution that the rounding of m_gap causes, added once the gap closes.
+    /// Error of the coefficient of restitution due to the rounding of m_gap. It is added to m_error when the
+    /// gap closes.
     Real m_gapError = 0;
     /// Time s/t0 at which it is next checked whether the rod certainly stays away from the rock.
     Real m_nextProof = never;
-    /// Largest gap since the last separation, in units of I0/Z.
+    /// Largest gap between bit and rock since the last separation, in units of I0/Z.
     Real m_opened = 0;
-    /// Time of the separation before the last one, in units of t0.
+    /// Time t/t0 of the separation before the last one. It is restored if the last one turns out to be
+    /// rounding.
     double m_separatedBefore = 0;
     Real m_force = 0;
-    /// Closing velocity of the bit at the last contact, in units of F0/Z; 0 for the first contact.
+    /// Velocity of the bit towards the rock when the last contact began, in units of F0/Z; 0 for the first
+    /// contact.
     Real m_closingSpeed = 0;
-    /// Largest force since the last contact began, at the ends of pieces only, in units of F0.
+    /// Largest impact force since the last contact began, taken only at the ends of wave pieces, in units of
+    /// F0.
     Real m_contactForce = 0;
     /// Factor by which rounding errors have been amplified so far (Impact::growth).
     Real m_growth = 1;

@@ -63,8 +63,8 @@ typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSe
     return incident().isZero() ? alone : alone + 2 * m_basis.hammerProduct(segment, into, incident(), length);
 }
 
-/// Ends the free flight at the end of the first `length` of the piece `arriving`, where the gap closes and
-/// contact begins.
+/// Starts contact at the time when the gap closes: after the first `length` [t0] of the piece `arriving` of
+/// the wave.
 template <class Basis>
 void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_opened = std::max(m_opened, m_gap + 2 * arriving.magnitude() * length);
@@ -89,8 +89,8 @@ void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_everTouched = true;
 }
 
-/// Moves the free front end by twice the impulse of the wave that arrived, and adds the rounding of this
-/// displacement to the error.
+/// Moves the free front end of the rod by twice the impulse of the wave that arrived, which changes the gap
+/// to the rock. Adds the rounding error of this displacement.
 template <class Basis>
 void ContactMarch<Basis>::drift(const Piece& arriving, Real impulse) {
     m_gap += -2 * impulse;
@@ -112,15 +112,16 @@ void ContactMarch<Basis>::separate() {
     note(ContactEvent::separation);
 }
 
-/// Removes the last separation from the result, because the gap did not open by more than rounding.
+/// Removes the last separation of bit and rock from the result, because the gap did not open by more than
+/// rounding.
 template <class Basis>
 void ContactMarch<Basis>::rejoin() {
     m_impact->separationTime = m_separatedBefore;
     if (m_detail >= Detail::events) m_impact->events.pop_back();
 }
 
-/// Advances the front end by a stretch of time of the given length [t0], and records it if histories are
-/// requested.
+/// Advances the front end of the rod by a stretch of time of the given length [t0], and records waves and
+/// force if histories are requested.
 template <class Basis>
 void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real length) {
     ++m_impact->pieces;
@@ -134,8 +135,8 @@ void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real l
     }
 }
 
-/// Adds the first `length` of the arriving wave to the waves in the rod, unchanged, because the free front
-/// end reflects it.
+/// Advances the front end without contact by the first `length` [t0] of the arriving wave. Both free ends
+/// reflect this part of the wave, so it is added to the waves in the rod unchanged.
 template <class Basis>
 void ContactMarch<Basis>::leaveFree(Real length) {
     pass(incident(), nullptr, length);
@@ -147,7 +148,8 @@ void ContactMarch<Basis>::leaveFree(Real length) {
     joinLast();
 }
 
-/// Adds the wave that the front end reflects during a stretch of contact to the waves in the rod.
+/// Advances the front end of the rod by a stretch of contact, and adds the wave that it reflects to the waves
+/// in the rod.
 template <class Basis>
 void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
     pass(m_basis.incidentOf(response), &response.force, length);
@@ -159,8 +161,7 @@ void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
     joinLast();
 }
 
-/// Joins the last piece of the wave in the rod to the piece before it, if this saves work and is accurate
-/// enough.
+/// Joins the last two pieces of the wave in the rod into one, if this saves work and is accurate enough.
 template <class Basis>
 void ContactMarch<Basis>::joinLast() {
     if constexpr (Basis::joinsPieces) {
@@ -170,8 +171,8 @@ void ContactMarch<Basis>::joinLast() {
     }
 }
 
-/// Advances the front end without contact while the hammer force still acts, until the gap closes or the
-/// arriving piece ends.
+/// Advances the free front end of the rod until the gap to the rock closes, or the arriving piece of the wave
+/// ends.
 template <class Basis>
 void ContactMarch<Basis>::advanceApart() {
     const auto contact = m_basis.gapClosure(incident(), m_gap);
@@ -190,9 +191,10 @@ void ContactMarch<Basis>::advanceApart() {
     if (contact.u > 0) incident().dropFront(contact.u);
 }
 
-/// Returns the end of a solved stretch of contact: its first event, or its length if there is none.
+/// Returns where and how a solved stretch of contact ends: at its first event, or at its full length if there
+/// is none. Fm is the largest force so far, F_j the force at corner j of the bit–rock law.
 ///
-///     line      guard                  ending           then
+///     line      condition              ending           then
 ///     apart     the gap has closed     (closeGap)       the line of lineAtContact()
 ///     primary   drive 2g − F below 0   unloading        elastic, unless γ = 1
 ///     primary   F = 0, for γ = 1       separation       apart
@@ -230,8 +232,8 @@ typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& 
 }
 
 /// Returns whether the contact may stay on its present line of the law although events repeat at the same
-/// time. The force is then constant at its peak, and only rounding decides between lines that differ by
-/// rounding. It may stay until the force clearly leaves the peak.
+/// time. The force is then constant at its peak, and only rounding decides which line it follows. It may stay
+/// until the force clearly leaves the peak.
 template <class Basis>
 bool ContactMarch<Basis>::mayStay(const Response& response) {
     if (m_eventsOnTheSpot > mostEventsOnTheSpot) return true;
@@ -241,7 +243,7 @@ bool ContactMarch<Basis>::mayStay(const Response& response) {
                                           : end <= m_law.largestForce() + rounding;
 }
 
-/// Adds the effect of joined pieces of the wave, over one stretch of contact, to the error.
+/// Adds the error that joined pieces of the wave cause during one stretch of contact.
 template <class Basis>
 void ContactMarch<Basis>::countJoining(const Response& response, Real length, Ending ending) {
     if constexpr (Basis::joinsPieces) {
@@ -251,8 +253,8 @@ void ContactMarch<Basis>::countJoining(const Response& response, Real length, En
     }
 }
 
-/// Advances the front end in contact, up to the first contact event or the end of the arriving piece of the
-/// wave.
+/// Advances the front end of the rod in contact, up to the first contact event or the end of the arriving
+/// piece of the wave.
 template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
     if (incident().isZero() && m_force <= m_basis.negligibleForce()) {

@@ -20,23 +20,23 @@ inline constexpr long defaultWorkLimit = 1'000'000, mostWorkLimit = 30'000'000;
 /// Solver for blows on a uniform rod, exact except for rounding, which reuses its memory. With Detail::cor it
 /// allocates nothing after the first blows. Each thread needs its own solver.
 ///
-/// There are two representations of the waves. Exponential sums have one piece from front to front
-/// (ExponentialBasis); they are used if reflections are few. Power series on short pieces (SeriesBasis) are
-/// used if the sums are unsuitable, inaccurate or do not reach the end. One of them solves the whole blow,
-/// for any detail, and ends with the proof of theory §3.3. Detail::summary takes hardly longer than
-/// Detail::cor.
+/// There are two representations of the waves. Exponential sums (ExponentialBasis) need few pieces of waves;
+/// they are used if reflections are few. Power series on short pieces (SeriesBasis) are used if the sums are
+/// unsuitable, inaccurate or do not reach the end. One of them solves the whole blow, for any detail, and
+/// ends with the proof of theory §3.3. Detail::summary takes hardly longer than Detail::cor.
 ///
-/// Accuracy: |error of e| ≤ corError in at least 99 % of blows, for any number of contacts. corError is
-/// typically 1e-15 to 1e-13. On soft rock, where a wave meets the rock hundreds of times in one blow, it
-/// grows to 1e-9. This concerns βτ below 1e-5, or γ below 0.01 with β below 1e-4. It is not much larger for
-/// 1e-7 ≤ β ≤ 1e9, γ ≥ 1e-6, 0.05 ≤ τ ≤ 1000. Exceptions are blows with tens of contacts (exponential and
-/// piston blows on short rods). There each contact multiplies the rounding of those before, and e depends on
-/// the last digits of the input; corError states by how much.
+/// Accuracy: the error of the coefficient of restitution e is at most corError in at least 99 % of blows, for
+/// any number of contacts. corError is typically 1e-15 to 1e-13. On soft rock, where a wave meets the rock
+/// hundreds of times in one blow, it grows to 1e-9. This concerns βτ below 1e-5, or γ below 0.01 with β below
+/// 1e-4. It is not much larger for 1e-7 ≤ β ≤ 1e9, γ ≥ 1e-6, 0.05 ≤ τ ≤ 1000. Exceptions are blows with tens
+/// of contacts (exponential and piston blows on short rods). There each contact multiplies the rounding of
+/// those before, and e depends on the last digits of the input; corError states by how much.
 ///
-/// Work: typically 5 to 300 pieces. Most are needed by soft rock with γ < 1e-3, where each of thousands of
-/// round trips leaves kinks: up to 1e7 pieces and half a second, and more for tables of many points with γ <
-/// 1e-5. Many are also needed by blows of many t0 on stiff rock with a short rod, where every front leaves a
-/// layer. Blows that may multiply rounding (Impact::growth) are solved up to three times.
+/// Work: a blow typically takes 5 to 300 pieces of waves. Soft rock with γ < 1e-3 takes most, because each of
+/// thousands of round trips leaves kinks: up to 1e7 pieces and half a second. Tables of many points with γ <
+/// 1e-5 take even more. Many pieces are also needed by blows of many t0 on stiff rock with a short rod, where
+/// every wave front leaves a layer. Blows that may multiply rounding (Impact::growth) are solved up to three
+/// times.
 class ExactSolver {
   public:
     /// Creates a solver. `mostPieces` is the maximum number of pieces of one solution, at 0.05 to 0.3 µs
@@ -63,20 +63,21 @@ class ExactSolver {
 
 // Histories that are too long to be kept, evaluated while they are computed
 
-/// Function that evaluates the histories of an impact while it is solved. It may remove any part of them from
-/// their beginning. It returns the number of pieces at which it is to be called again.
+/// Function that evaluates the recorded histories of a blow while it is solved. It may remove any part of
+/// them from their beginning. It returns the number of recorded pieces at which it is to be called again.
 using HandOver = std::function<std::size_t(Impact&)>;
 
 /// Number of wave pieces above which histories are not kept, but evaluated during the computation; that many
 /// take 90 MB. Solutions with exponential sums have fewer.
 inline constexpr long mostPiecesKept = 100'000;
 
-/// Number of recorded pieces at which HandOver is called for the first time.
+/// Number of wave pieces in the recorded histories at which the function HandOver is called for the first
+/// time.
 inline constexpr std::size_t piecesHandedOver = 20'000;
 
-/// Returns the solution of a blow whose histories are passed to `handOver` in parts during the computation;
-/// the result contains only their last part. Requires that ExactSolver has solved the blow with `pieces`
-/// pieces, more than mostPiecesKept. Power series are used.
+/// Returns the solution of a blow whose histories are too long to be kept. They are passed to `handOver` in
+/// parts during the computation; the result contains only their last part. Requires that ExactSolver has
+/// solved the blow with `pieces` wave pieces, more than mostPiecesKept. Power series are used.
 Impact marchInPassing(const Problem& problem, long pieces, const HandOver& handOver,
                       const std::stop_token& stop);
 

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Computes the coefficients out = p·g + q·f, for terms of one kind and one rate.
+/// Computes the coefficients out = p·g + q·f for numbers p and q, for terms of one kind and one rate.
 inline void combine(double p, const Coefficients& g, double q, const Coefficients& f, Coefficients& out) {
     const int common = std::min(g.count, f.count);
     for (int m = 0; m < common; ++m) out.c[m] = p * g.c[m] + q * f.c[m];
@@ -18,8 +18,8 @@ inline void combine(double p, const Coefficients& g, double q, const Coefficient
     out.count = std::max(g.count, f.count);
 }
 
-/// Computes the coefficients of the derivative of Σ c_m φ_m, which is λ Σ (c_{m+1} − c_m) φ_m. `terms` holds
-/// the c_m; `factor` replaces the rate λ.
+/// Computes the coefficients `factor`·(c_{m+1} − c_m) from the c_m in `terms`. If `factor` is λ, they are
+/// those of the derivative of Σ c_m φ_m(λx), with φ_m(y) = e^(−y) y^m/m!.
 inline void differences(const Coefficients& terms, double factor, Coefficients& slope) {
     slope.count = terms.count;
     const int last = terms.count - 1;
@@ -27,13 +27,14 @@ inline void differences(const Coefficients& terms, double factor, Coefficients& 
     if (last >= 0) slope.c[last] = -factor * terms.c[last];
 }
 
-/// Computes the terms of out = p·g + q·f that ramps and curved hammer forces leave, if g or f has any.
+/// Computes the terms of out = p·g + q·f that sloped and curved hammer forces leave, and sets isCurved of
+/// `out`.
 template <int lines>
 void combineCurves(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
                    ExponentialSum<lines>& out);
 
-/// Computes the exponential sum out = p·g + q·f; `out` must be a different object. It has the length and the
-/// rates of g.
+/// Computes out = p·g + q·f for exponential sums g and f and numbers p and q. `out` must be a different
+/// object. It gets length and rates from g.
 template <int lines>
 inline void combine(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
                     ExponentialSum<lines>& out) {
@@ -82,36 +83,38 @@ inline constexpr double largestDecays[Coefficients::capacity] = {1,
                                                                  0.16062314104798003,
                                                                  0.14900277967433771};
 
-/// Sum of the decays Σ c_m φ_m(λx) of one rate λ at x, and its integral over [0, x], computed in one pass.
-/// The members `…Size`, `stored` and `integrated` are magnitudes: times the machine epsilon, they estimate
-/// rounding errors. After many reflections there are large coefficients of high order, which hardly matter
-/// where λx is small. So the magnitude of a term is its largest value up to x.
+/// Value of Σ c_m φ_m(λx) at x, with φ_m(y) = e^(−y) y^m/m!, and its integral over [0, x], computed in one
+/// pass. The members `higherSize`, `stored` and `integrated`, times the machine epsilon, estimate rounding
+/// errors. After many reflections, coefficients of high order are large, but have little effect where λx is
+/// small. So `stored` uses the largest value of each term up to x.
 struct DecaysEnd {
-    /// The coefficient c_0, the decay φ_0(λx) = e^(−λx), and the rise 1 − φ_0(λx).
+    /// Coefficient c_0, decay φ_0(λx) = e^(−λx), and 1 − e^(−λx), the part by which this decay has fallen.
     double first, firstDecay, firstRise;
-    /// Sum of the terms with the coefficients c_1, c_2, … at x; these terms are zero at x = 0.
+    /// Sum c_1 φ_1 + c_2 φ_2 + … at x, with the decays φ_m = e^(−λx) (λx)^m/m!, in units of F0.
     double higher = 0;
-    /// Sum of the absolute values of the terms with the coefficients c_1, c_2, …, each at its largest up to
-    /// x.
+    /// Sum of the absolute values of the terms c_1 φ_1, c_2 φ_2, … at x, in units of F0.
     double higherSize = 0;
-    /// Integral of all terms over [0, x], in units of I0.
+    /// Integral of Σ c_m φ_m(λx) over [0, x], in units of I0.
     double integral = 0;
-    /// Magnitude that, times the machine epsilon, estimates the effect of rounded coefficients, integrated
-    /// over [0, x].
+    /// Magnitude that, times the machine epsilon, estimates the error of `integral` due to rounded
+    /// coefficients, in units of I0.
     double stored = 0;
-    /// Magnitude that, times the machine epsilon, estimates the rounding error of `integral`.
+    /// Magnitude that, times the machine epsilon, estimates the rounding error of `integral`, in units of I0.
     double integrated = 0;
 
-    /// Computes the sums at x for the coefficients `terms` of the rate λ = `rate`; `decay` is e^(−λx).
+    /// Computes Σ c_m φ_m(λx) at x, its integral and their errors. `terms` holds the c_m, `rate` is λ, and
+    /// `decay` is e^(−λx).
     DecaysEnd(const Coefficients& terms, double rate, double x, double decay);
 
-    /// Returns the sum of all terms at x, in units of F0.
+    /// Returns Σ c_m φ_m(λx) at the position x of the constructor, in units of F0.
     double value() const { return first * firstDecay + higher; }
-    /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of value().
+    /// Returns the sum of the absolute terms of value(), in units of F0. Times the machine epsilon, it
+    /// estimates the rounding error of value().
     double valueSize() const { return std::abs(first) * firstDecay + higherSize; }
-    /// Returns the change of the sum of all terms from 0 to x, in units of F0.
+    /// Returns the change of Σ c_m φ_m(λx) from 0 to the position x of the constructor, in units of F0.
     double change() const { return higher - first * firstRise; }
-    /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of change().
+    /// Returns the sum of the absolute terms of change(), in units of F0. Times the machine epsilon, it
+    /// estimates the rounding error of change().
     double changeSize() const { return std::abs(first) * firstRise + higherSize; }
 };
 

@@ -6,12 +6,13 @@
 
 namespace drillwave {
 
-/// Maximum number of corners of the rock law for which ExponentialBasis is used; laws with more corners use
-/// power series.
+/// Maximum number of corners (changes of slope) of the rock law for which ExponentialBasis is used; laws with
+/// more corners use power series.
 inline constexpr int mostCornersOfSums = 1;
 
-/// Returns whether ExponentialBasis is suitable for a blow: few reflections, distinct rates, and a rock that
-/// is not too soft.
+/// Returns whether exponential sums (ExponentialBasis) are worth trying for a blow. They need few
+/// reflections, clearly different slopes of the rock law, and rock that is not too soft. If not, power series
+/// are used from the start.
 bool suitsExponentials(const Problem& problem);
 
 }  // namespace drillwave

@@ -11,14 +11,15 @@
 
 namespace drillwave {
 
-/// Division of [0, length] into stretches. On each stretch, each of several functions is one short power
-/// series, all on the same scale. In a stretch, λx of the fastest decay that is still above `negligible`
-/// increases by at most 2. All functions must have the same rates. About 20 stretches follow one decay to its
-/// end.
+/// Conversion of `count` exponential sums to power series. The interval [0, length] is divided into
+/// stretches; on each, every sum becomes one power series. A stretch is at most 2/λ long, where λ is the
+/// fastest rate of terms that are still above `negligible`. About 20 stretches follow one decay e^(−λx) to
+/// its end. All sums must have the same rates.
 template <int lines, std::size_t count>
 class ExponentialStretches {
   public:
-    /// Divides [0, length] into stretches for the given functions; terms below `negligible` are dropped.
+    /// Prepares the division of [0, length] (in t0) for the given exponential sums. Terms below `negligible`
+    /// [F0] are dropped.
     ExponentialStretches(const std::array<const ExponentialSum<lines>*, count>& functions, double length,
                          double negligible)
         : m_length(length), m_negligible(negligible) {
@@ -29,8 +30,8 @@ class ExponentialStretches {
         }
     }
 
-    /// Calls visit(start, series) for each stretch in order, with its start in t0. series[i] is function i on
-    /// this stretch.
+    /// Calls visit(start, series) for each stretch in order. `start` is the start of the stretch in t0, and
+    /// series[i] is function number i on this stretch.
     template <class Visit>
     void forEach(Visit visit) {
         double start = 0;
@@ -99,14 +100,15 @@ class ExponentialStretches {
         f.count = PowerSeries<double>::capacity;
     }
 
-    /// Adds the decays Σ c_m φ_m(y) with y = reach·u to the power series f(u).
+    /// Adds Σ c_m φ_m(y) with y = reach·u to the power series f(u), where φ_m(y) = e^(−y) y^m/m! (decays).
     static void addDecays(const Coefficients& terms, double reach, PowerSeries<double>& f) {
         if (terms.count == 0) return;
         makeFull(f);
         const Series decays = seriesOf(terms, reach);
         for (int j = 0; j < f.count; ++j) f.c[j] += decays[j];
     }
-    /// Adds the rises Σ c_m ω_m(y) with y = reach·u to the power series f(u); ω_m is the integral of φ_m.
+    /// Adds Σ c_m ω_m(y) with y = reach·u to the power series f(u), where ω_m(y) = ∫0..y e^(−z) z^m/m! dz
+    /// (rises).
     static void addRises(const Coefficients& terms, double reach, PowerSeries<double>& f) {
         if (terms.count == 0) return;
         makeFull(f);
@@ -145,8 +147,8 @@ class ExponentialStretches {
         return series;
     }
 
-    /// Rate that stands for a sine in the division; it makes a stretch at most half of a half sine, as in
-    /// SeriesBasis.
+    /// Rate [1/t0] that stands for sin πx and cos πx when the length of a stretch is chosen. It makes a
+    /// stretch at most 0.5 t0 long, half of a half sine, as in SeriesBasis.
     static constexpr double rateOfSine = 4;
 
     double m_length, m_negligible;

@@ -15,15 +15,15 @@ namespace drillwave {
 /// Machine epsilon: distance from 1 to the next larger double.
 inline constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
 
-/// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate λ. The terms are the decays φ_m(y) = e^(−y)
-/// y^m/m!, or the rises ω_m(y) = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), with y = λx.
+/// Coefficients c_m, m = 0, 1, …, of the terms of one rate λ in an exponential sum. The terms are the decays
+/// φ_m(y) = e^(−y) y^m/m!, or the rises ω_m(y) = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), with y = λx.
 ///
-/// Because of the factorials, a response at its own rate only shifts the coefficients: F' + λF = 2λ φ_m has
-/// the solution F = 2 φ_{m+1}, and the same holds for ω_m.
+/// Because of the factorials, the force at the same rate has shifted coefficients: F' + λF = 2λ φ_m has the
+/// solution F = 2 φ_{m+1}, and the same holds for ω_m.
 struct Coefficients {
     /// Maximum number of coefficients of one kind of term.
     static constexpr int capacity = 8;
-    /// Number of coefficients; those from here on are zero and not stored.
+    /// Number of stored coefficients c_0, c_1, …; all later ones are zero.
     int count = 0;
     std::array<double, capacity> c;
 
@@ -43,32 +43,34 @@ struct Coefficients {
         for (int m = 0; m < count; ++m) sum += std::abs(c[m]);
         return sum;
     }
-    /// Returns an upper bound of Σ c_m φ_m, at least 0. No φ_m is negative, and their sum is at most 1.
+    /// Returns an upper bound, at least 0, of Σ c_m φ_m(y) for y ≥ 0, with φ_m(y) = e^(−y) y^m/m!. No φ_m is
+    /// negative, and their sum is at most 1.
     double most() const {
         double largest = 0;
         for (int m = 0; m < count; ++m) largest = std::max(largest, c[m]);
         return largest;
     }
-    /// Returns a lower bound of Σ c_m φ_m, at most 0.
+    /// Returns a lower bound, at most 0, of Σ c_m φ_m(y) for y ≥ 0, with φ_m(y) = e^(−y) y^m/m!.
     double least() const {
         double smallest = 0;
         for (int m = 0; m < count; ++m) smallest = std::min(smallest, c[m]);
         return smallest;
     }
-    /// Returns an upper bound of Σ c_m ω_m, at least 0. Since 1 ≥ ω_0 ≥ ω_1 ≥ …, the sum is a mean of the
-    /// partial sums Σ_{k≤m} c_k.
+    /// Returns an upper bound, at least 0, of Σ c_m ω_m(y) for y ≥ 0, with ω_m(y) = ∫0..y e^(−z) z^m/m! dz.
+    /// Since 1 ≥ ω_0 ≥ ω_1 ≥ …, the sum is a mean of 0 and the partial sums Σ_{k≤m} c_k.
     double mostRisen() const {
         double largest = 0, sum = 0;
         for (int m = 0; m < count; ++m) largest = std::max(largest, sum += c[m]);
         return largest;
     }
-    /// Returns a lower bound of Σ c_m ω_m, at most 0.
+    /// Returns a lower bound, at most 0, of Σ c_m ω_m(y) for y ≥ 0, with ω_m(y) = ∫0..y e^(−z) z^m/m! dz.
     double leastRisen() const {
         double smallest = 0, sum = 0;
         for (int m = 0; m < count; ++m) smallest = std::min(smallest, sum += c[m]);
         return smallest;
     }
-    /// Drops all coefficients if Σ |c_m| is at most `negligible`, otherwise zeros at the end.
+    /// Drops all coefficients if Σ |c_m| is at most `negligible`, otherwise only zeros at the end of the
+    /// list.
     void trim(double negligible) {
         if (count == 0 || std::abs(c[count - 1]) > negligible) return;
         if (magnitude() <= negligible)
@@ -97,7 +99,8 @@ struct Coefficients {
         }
         return sum;
     }
-    /// Replaces the coefficients by those of the same decays with the origin moved to y; `decay` is e^(−y).
+    /// Replaces the coefficients c_m so that Σ c_m φ_m(z) becomes what Σ c_m φ_m(y + z) was before, with
+    /// φ_m(y) = e^(−y) y^m/m!. `decay` is e^(−y).
     void shift(double y, double decay) {
         for (int k = 0; k < count; ++k) {
             double sum = c[count - 1];
@@ -105,7 +108,8 @@ struct Coefficients {
             c[k] = sum * decay;
         }
     }
-    /// Returns the sums Σ_{m≥k} c_m for each k. The integral of rises uses them: ∫ω_m dy = y − Σ_{k≤m} ω_k.
+    /// Returns the sums s_k = Σ_{m≥k} c_m. They give the integral of rises: ∫Σ c_m ω_m dy = s_0 y − Σ s_k
+    /// ω_k.
     Coefficients sumsFromEach() const {
         Coefficients sums = *this;
         for (int k = count - 2; k >= 0; --k) sums.c[k] += sums.c[k + 1];
@@ -117,34 +121,37 @@ struct Coefficients {
 inline const Coefficients noTerms;
 
 /// Terms s sin πx + k cos πx + d e^(−x), x in t0, that a half sine and an exponential hammer force leave in
-/// every wave. Reflections do not increase any of them, unless a rate of the contact is near that of e^(−x).
+/// every wave. Reflections do not increase them, unless a slope of the bit–rock law is near the rate of
+/// e^(−x), 1/t0.
 struct HammerTerms {
     /// Coefficients of sin πx, cos πx and e^(−x), in units of F0.
     double sine = 0, cosine = 0, decay = 0;
-    /// Whether any of these coefficients may be nonzero. Linear hammer forces leave no such terms, and skip
-    /// the work for them.
+    /// Whether any of these coefficients may be nonzero. It is false for piecewise linear hammer forces,
+    /// which saves work.
     bool present = false;
 
-    /// Returns the value of the terms at x = 0, in units of F0.
+    /// Returns the value of s sin πx + k cos πx + d e^(−x) at x = 0, in units of F0.
     double startValue() const { return cosine + decay; }
-    /// Returns an upper bound of the amplitude of the sine, |s| + |k|.
+    /// Returns |s| + |k|, an upper bound of the amplitude of s sin πx + k cos πx.
     double amplitude() const { return std::abs(sine) + std::abs(cosine); }
-    /// Returns an upper bound of the absolute value of the terms, in units of F0.
+    /// Returns an upper bound of |s sin πx + k cos πx + d e^(−x)| for x ≥ 0, in units of F0.
     double magnitude() const { return amplitude() + std::abs(decay); }
-    /// Returns whether the sum of the terms is certainly ≥ 0 for 0 ≤ x ≤ length.
+    /// Returns whether s sin πx + k cos πx + d e^(−x) is certainly ≥ 0 for 0 ≤ x ≤ length; false if that is
+    /// not known.
     bool allAtLeastZero(double length) const {
         // the interval is at most a half sine: if the sum were negative inside, an end or the middle would be
         // too
         return !present ||
                (decay >= 0 && cosine >= 0 && length <= 1 && wave(length / 2) >= 0 && wave(length) >= 0);
     }
-    /// Returns whether the sum of the terms is certainly ≤ 0 for 0 ≤ x ≤ length.
+    /// Returns whether s sin πx + k cos πx + d e^(−x) is certainly ≤ 0 for 0 ≤ x ≤ length; false if that is
+    /// not known.
     bool allAtMostZero(double length) const { return negated().allAtLeastZero(length); }
     HammerTerms negated() const { return {-sine, -cosine, -decay, present}; }
 
-    /// Returns the value of the terms at x, in units of F0.
+    /// Returns the value of s sin πx + k cos πx + d e^(−x), in units of F0.
     double value(double x) const { return wave(x) + (decay == 0 ? 0 : decay * std::exp(-x)); }
-    /// Returns the integral of the terms from 0 to x, in units of I0.
+    /// Returns the integral of s sin πx + k cos πx + d e^(−x) from 0 to x, in units of I0.
     double integral(double x) const {
         double sum = decay == 0 ? 0 : -decay * std::expm1(-x);
         if (hasSine()) {
@@ -162,14 +169,14 @@ struct HammerTerms {
         }
         if (decay != 0) decay *= std::exp(-x);
     }
-    /// Sets all coefficients to zero if the absolute value of the terms is at most `negligible`, in units of
-    /// F0.
+    /// Sets the coefficients of sin πx, cos πx and e^(−x) to zero if the absolute value of their sum is at
+    /// most `negligible`, in units of F0.
     void trim(double negligible) {
         if (magnitude() <= negligible) *this = {};
     }
 
     static constexpr double pi = 3.14159265358979323846;
-    /// Returns whether the terms include a sine or cosine.
+    /// Returns whether the terms include sin πx or cos πx.
     bool hasSine() const { return sine != 0 || cosine != 0; }
 
   private:
@@ -178,35 +185,36 @@ struct HammerTerms {
     }
 };
 
-/// Calls of(i) for i = 0 … lines − 1. There is no loop, because its overhead would be as large as the work
-/// for two terms.
+/// Calls of(i) for i = 0 … lines − 1. The loop is unrolled, because its overhead would be as large as the
+/// work for two terms.
 template <int lines, class Of>
 [[gnu::always_inline]] inline void eachLine(Of of) {
 #pragma GCC unroll 8
     for (int i = 0; i < lines; ++i) of(i);
 }
 
-/// Coefficients of one kind of term, decays or rises, for each of the `lines` rates of a sum.
+/// Coefficients of one kind of term, decays e^(−λx) (λx)^m/m! or their integrals (rises). The array has one
+/// list for each of the `lines` rates λ of an exponential sum.
 template <int lines>
 using TermsOfLines = std::array<Coefficients, lines>;
 
-/// Terms that ramps and curved hammer forces leave in a wave besides constants and decays: c1 x + Σ q_m ω_m
-/// for each rate, and the terms of the hammer force.
+/// Terms that sloped and curved hammer forces leave in a wave: c1 x + Σ q_m ω_m(λx) for each rate λ, with the
+/// rises ω_m(y) = ∫0..y e^(−z) z^m/m! dz, and the terms in `hammer`.
 ///
-/// Ramps leave rises ω_m. Written with constants and decays, x − ω_0(λx)/λ and its reflections would be
-/// differences of large numbers where λx is small.
+/// Linear parts of a hammer force leave rises. Written with constants and decays, x − ω_0(λx)/λ and its
+/// reflections would be differences of large numbers where λx is small.
 template <int lines>
 struct CurvedTerms {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     /// Slope c1 of the linear term, in units of F0/t0.
     double c1 = 0;
-    /// Coefficients q_m of the rises ω_m for each rate.
+    /// Coefficients q_m of the rises ω_m(y) = ∫0..y e^(−z) z^m/m! dz, y = λx, for each rate λ.
     TermsOfLines<lines> rises;
     /// Terms s sin πx + k cos πx + d e^(−x) of a curved hammer force.
     HammerTerms hammer;
-    /// Integral of the whole exponential sum over its length, in units of I0, or `unknown`. It must be set to
-    /// `unknown` whenever coefficients are changed from outside.
+    /// Stored integral of the whole exponential sum over its length, in units of I0, or `unknown` (NaN). It
+    /// must be set to `unknown` whenever coefficients are changed from outside.
     mutable double impulse = unknown;
 
     bool hasRises() const {
@@ -215,31 +223,32 @@ struct CurvedTerms {
     bool isZero() const { return c1 == 0 && !hasRises() && !hammer.present; }
 };
 
-/// Rates of F' = a(2g − F), per t0. They are the slopes of the lines of the law (T16): β, β/γ, and s_j β
-/// after each corner.
+/// Rates a [1/t0] of F' = a(2g − F), one for each line of the bit–rock law: its slopes β, β/γ, and s_j β
+/// after each corner (T16).
 template <int lines>
 using LineRates = std::array<double, lines>;
 
-/// Wave f(x) = c0 + Σ decays of each rate (+ curved terms) on 0 ≤ x ≤ length, x in t0.
+/// Wave force f(x) on 0 ≤ x ≤ length, x in t0: a constant c0, and Σ c_m φ_m(λx) for each rate λ, with the
+/// decays φ_m(y) = e^(−y) y^m/m!. Sloped and curved hammer forces add the terms in `curve`.
 ///
-/// Hammer forces made of steps leave only constants and decays, so a sum that is not curved neither copies
-/// nor reads its curved terms; these may have an old content. The number of rates is known to the compiler,
-/// so that laws without corners take no extra time.
+/// For stepped hammer forces, isCurved is false, and `curve` is neither copied nor read; it may hold old
+/// values. The number of rates is a template parameter, so that rock laws without corners take no extra time.
 template <int lines>
 struct ExponentialSum {
     using Curve = CurvedTerms<lines>;
 
-    /// Length of the interval on which the wave is given, in units of t0.
+    /// Length of the interval 0 ≤ x ≤ length on which the wave f(x) is defined, in units of t0.
     double length = 0;
     /// Constant term c0 of the wave, in units of F0.
     double c0 = 0;
-    /// Rates of the decays and rises; must outlive the sum.
+    /// Rates λ [1/t0] of the decays e^(−λx) in the sum; the array must outlive the sum.
     const LineRates<lines>* rates = nullptr;
-    /// Values e^(−rate·length) of each rate over the whole length; negative until they are computed.
+    /// Values of e^(−λ·length) for each rate λ; negative until they are computed.
     mutable std::array<double, lines> wholeDecays = notComputed();
-    /// Whether the sum has curved terms: a linear term, rises, or terms of a curved hammer force.
+    /// Whether the sum has terms of sloped or curved hammer forces: a linear term, rises (integrals of
+    /// decays), or sin πx, cos πx and e^(−x).
     bool isCurved = false;
-    /// Coefficients of the decays for each rate, in units of F0.
+    /// Coefficients c_m of the decays e^(−λx) (λx)^m/m! for each rate λ, in units of F0.
     TermsOfLines<lines> decays;
     Curve curve;
 
@@ -263,8 +272,8 @@ struct ExponentialSum {
         f.length = length;
         return f;
     }
-    /// Makes the sum curved, and returns its curved terms for writing; they are zero if there were none
-    /// before.
+    /// Returns the terms of sloped and curved hammer forces for writing, and sets isCurved. They are zero if
+    /// the sum had none before.
     Curve& makeCurved() {
         if (!isCurved) curve = {};
         isCurved = true;
@@ -279,9 +288,11 @@ struct ExponentialSum {
     }
     bool isConstant() const { return !isCurved && !hasDecays(); }
     bool isZero() const { return c0 == 0 && isConstant(); }
-    /// Returns whether the sum has decays or rises of the rate with index i.
+    /// Returns whether the sum has terms of the rate λ with the index i: decays e^(−λx) (λx)^m/m! or their
+    /// integrals (rises).
     bool hasLine(int i) const { return decays[i].count || (isCurved && curve.rises[i].count); }
-    /// Returns the rises of the rate with index i; empty if the sum is not curved.
+    /// Returns the coefficients of the rises (integrals of decays) of the rate with the index i; empty if the
+    /// sum is not curved.
     const Coefficients& risesOf(int i) const { return isCurved ? curve.rises[i] : noTerms; }
     bool hasHammer() const { return isCurved && curve.hammer.present; }
     bool hasSine() const { return hasHammer() && curve.hammer.hasSine(); }
@@ -292,7 +303,7 @@ struct ExponentialSum {
         eachLine<lines>([&](int i) { steps += decays[i][0]; });
         return isCurved ? steps + curve.hammer.startValue() : steps;
     }
-    /// Returns an upper bound of |f|, in units of F0.
+    /// Returns an upper bound of |f| over the length of the wave f, in units of F0.
     double magnitude() const {
         double steps = std::abs(c0);
         eachLine<lines>([&](int i) { steps += decays[i].magnitude(); });
@@ -310,7 +321,7 @@ struct ExponentialSum {
         return steps <= 0 &&
                (!isCurved || (steps + mostOfRises() <= 0 && curve.hammer.allAtMostZero(length)));
     }
-    /// Returns an upper bound of f, in units of F0.
+    /// Returns an upper bound of the wave f over its length, in units of F0.
     double mostValue() const {
         const double steps = mostOfSteps();
         return isCurved ? steps + mostOfRises() + mostOfHammer() : steps;
@@ -324,8 +335,8 @@ struct ExponentialSum {
         return isCurved ? most + mostIntegralOfCurve() : most;
     }
 
-    /// Returns an upper bound of the integral of the absolute values of all terms over the length, in units
-    /// of I0. Times the machine epsilon, it estimates the rounding error of ∫f.
+    /// Returns an upper bound of the integral of the absolute values of all terms of f over its length, in
+    /// units of I0. Times the machine epsilon, it estimates the rounding error of ∫f.
     double integralOfSizes() const {
         constexpr double lasting = Coefficients::capacity;  // number of 1/λ over which a decay may be large
         double sum = std::abs(c0) * length;
@@ -335,7 +346,7 @@ struct ExponentialSum {
         return isCurved ? sum + curveMagnitude() * length : sum;
     }
 
-    /// Returns the decay e^(−λx) of the rate λ with index i.
+    /// Returns the decay e^(−λx) for the rate λ with the index i.
     double decayOver(int i, double x) const {
         if (x != length) return std::exp(-(*rates)[i] * x);
         if (wholeDecays[i] < 0) wholeDecays[i] = std::exp(-(*rates)[i] * x);
@@ -361,8 +372,8 @@ struct ExponentialSum {
         });
         return f;
     }
-    /// Returns ∫f over the length, in units of I0. Curved sums store it, because free flight needs it in
-    /// every round trip.
+    /// Returns ∫f over the length, in units of I0. If isCurved is set, the value is stored, because free
+    /// flight needs it in every round trip.
     double impulse() const {
         if (isCurved) [[unlikely]]
             return impulseOfCurved();
@@ -401,7 +412,8 @@ struct ExponentialSum {
             c0 = 0;
     }
 
-    /// Returns an upper bound of the absolute value of the curved terms, in units of F0.
+    /// Returns an upper bound of the absolute value of the terms of sloped and curved hammer forces, in units
+    /// of F0.
     double curveMagnitude() const;
 
   private:

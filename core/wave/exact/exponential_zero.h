@@ -11,23 +11,25 @@ namespace drillwave {
 struct Search {
     /// Start of the search within the interval, in units of t0.
     double start = 0;
-    /// Whether the function is exactly zero at the start, whatever rounding shows.
+    /// Whether the function is exactly zero at the start of the search, even if its computed value differs by
+    /// rounding.
     bool startsAtZero = false;
-    /// Magnitude up to which values of the function count as rounding: a function that small has no zero. It
-    /// is in the unit of the function.
+    /// Magnitude up to which values of the function count as rounding, in the unit of the function. A
+    /// function that stays so small has no zero.
     double negligible = 0;
 };
 
-/// Returns whether a formula gives the first zero of f, because f has at most three decays, all of one rate.
+/// Returns whether the first zero of f follows from a formula, without a search. This requires that f
+/// consists only of at most three decays e^(−λx) (λx)^m/m! (m ≤ 2) of one rate λ.
 template <int lines>
 bool hasZeroByFormula(const ExponentialSum<lines>& f);
 
 /// Returns the first zero in (start, f.length] of f + c2 x², which must be ≥ 0 at the start. Steps from a
-/// lower bound of the curvature never pass a zero; once a zero is certainly near, Halley's method finds it. A
-/// function that is zero at the start and then decreases has its zero there.
+/// lower bound of the curvature never pass a zero; once a zero is certainly near, Halley's method finds it.
+/// If f is zero at the start and then decreases, the result is the start.
 ///
-/// The search is added to `tally`. The result is undecided if rounding hides the sign, or if the number of
-/// steps reaches its limit.
+/// The effort of the search is added to `tally`. The result is undecided if rounding hides the sign, or if
+/// the number of steps reaches its limit.
 template <int lines>
 Zero<double> firstZero(const ExponentialSum<lines>& f, double c2, const Search& search, SearchCount& tally);
 

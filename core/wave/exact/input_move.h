@@ -18,37 +18,38 @@ struct InputMove {
     int tau = 0;
 };
 
-/// Growth of rounding errors (Impact::growth, a worst case) up to which multiplying the error by the growth
-/// is sufficient. Larger growth needs a second solution with changed input. If there are many contacts, the
-/// coefficient of restitution may have few digits or none, although each step was accurate to the last digit.
+/// Growth of rounding errors (Impact::growth, a worst case) up to which the stated error is multiplied by the
+/// growth. If the growth is larger, the blow is solved again with changed input. With many contacts, the
+/// coefficient of restitution may have few correct digits or none.
 inline constexpr double coveredGrowth = 8;
 
-/// Upper bound of the rounding error of the coefficient of restitution if contacts do not amplify it; no case
-/// seen exceeded this value.
+/// Upper bound of the rounding error of the coefficient of restitution if contacts do not amplify it; no
+/// tested blow exceeded this value.
 inline constexpr double ordinaryRounding = 1e-13;
 
-/// Returns whether the rounding error of a solved blow may have grown beyond its stated error.
+/// Returns whether the real error of a solved blow, after the growth of rounding errors, may exceed
+/// impact.corError.
 inline bool mayOutgrowItsError(const Impact& impact) {
     return impact.growth > coveredGrowth && impact.growth * ordinaryRounding > impact.corError;
 }
 
-/// Returns the error of the coefficient of restitution caused by the rounding of the points of a hammer
-/// force, ≥ 0. The factor of two allows for one reflection by the rock.
+/// Returns the error of the coefficient of restitution caused by the rounding of the points of a hammer force
+/// given as a table; 0 for other forces. The factor of two allows for one reflection by the rock.
 inline double roundingOfHammer(const PulseForce& hammer) {
     return 2 * hammer.rounding;
 }
 
 /// Raises impact.corError so that it covers the growth of rounding errors in contacts.
 ///
-/// If contacts may have multiplied these errors by more than coveredGrowth, a single solution cannot show how
-/// much of the growth is real. A solution with a slightly changed input grows in the same way:
-/// solve(InputMove) solves the blow again for e only. If the changed blow cannot be solved, `impact` becomes
-/// not solved.
+/// If the worst-case growth (Impact::growth) is at most coveredGrowth, the error is multiplied by it. If it
+/// is larger, solve(InputMove) solves the blow again with slightly changed input. The change of the
+/// coefficient of restitution e then shows how much of the growth is real. If the changed blow cannot be
+/// solved, `impact` becomes not solved.
 ///
-/// β and τ are changed together, by 16 ε up and down, since changes that keep βτ may have little effect. The
-/// second change is left out if the first one has far less effect than the stated error. A small effect may
-/// be chance. So eight times the larger change is added to the error; this covers more than 999 in 1000 blows
-/// with many contacts (tst_chatter).
+/// β and τ are changed together, by 16 ε up and down (machine epsilon ε), since changes that keep βτ may have
+/// little effect. The second change is left out if the first one has far less effect than the stated error. A
+/// small effect may be chance. So eight times the larger change of e is added to the error; this covers more
+/// than 999 in 1000 blows with many contacts (tst_chatter).
 template <class Solve>
 void coverGrowth(Impact& impact, const Solve& solve) {
     if (impact.outcome != Outcome::rebounded) return;

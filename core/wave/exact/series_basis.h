@@ -14,11 +14,11 @@
 
 namespace drillwave {
 
-/// Representation of the waves of ContactMarch by truncated power series.
+/// Representation of the waves of ContactMarch by truncated power series on short pieces.
 ///
-/// For a piece of contact with rate a and length ℓ, the recurrence of F' = a(2g − F) is summed directly if aℓ
-/// ≲ 2. If aℓ is larger, the piece is cut, unless F follows the slow solution F = 2g − F'/a. For a polynomial
-/// g that is an exact polynomial, so one piece is enough, however large a is.
+/// For a piece of contact with rate a and length ℓ, F' = a(2g − F) is solved by a recurrence for the
+/// coefficients of F if aℓ ≲ 2. If aℓ is larger, the piece is divided, unless F follows the slow solution F =
+/// 2g − F'/a. For a polynomial g that is an exact polynomial, so one piece is enough, however large a is.
 template <class RealType>
 class SeriesBasis {
   public:
@@ -31,29 +31,29 @@ class SeriesBasis {
     /// Whether neighbouring pieces of waves are joined to save work.
     static constexpr bool joinsPieces = true;
 
-    /// Solution for one stretch of contact: the arriving wave g and the force F as power series on the same
-    /// scale.
+    /// Solution of F' = a(2g − F) over one stretch of contact: the arriving wave g and the impact force F as
+    /// power series on the same scale.
     struct Response {
         /// Length of the stretch of contact, in units of t0.
         Real length = 0;
         /// Arriving wave g, which must outlive the response; it may point to `cut`.
         const Piece* incident = nullptr;
-        /// First part of the arriving wave, as a series whose scale is its own length; `incident` may point
-        /// to it.
+        /// First part of the arriving wave, as a power series whose scale is the length of this part;
+        /// `incident` may point to it.
         Piece cut;
         /// Impact force F over the stretch, in units of F0.
         Piece force;
         /// Product aℓ of the contact's rate a and the length ℓ of the stretch.
         Real alpha = 0;
-        /// Whether F is the slow solution 2g − F'/a, without the initial layer in which F approaches it. Its
-        /// slope then cannot be computed from 2g − F.
+        /// Whether F is the slow solution 2g − F'/a, without the initial layer in which F approaches it. F'
+        /// then cannot be computed from 2g − F, a difference of nearly equal numbers.
         bool isSlow = false;
-        /// Sum of the absolute coefficients of the response, in units of F0; times the machine epsilon, it
-        /// estimates the rounding error.
+        /// Sum of the absolute coefficients of the solved power series, in units of F0; times the machine
+        /// epsilon, it estimates the rounding error.
         Real size = 0;
     };
 
-    /// Prepares the representation for a blow with the given bit–rock law.
+    /// Prepares this representation of waves for a blow with the given bit–rock law.
     void begin(const Problem& problem, const ContactLaw<Real>& law) {
         m_undecided = false;
         m_count = {};
@@ -68,16 +68,18 @@ class SeriesBasis {
     /// Number of pieces of the wave in a round trip from which on joining pieces saves work.
     static constexpr std::size_t manyPieces = 32;
 
-    /// Returns whether a search for a contact event has failed, so that the blow cannot be solved.
+    /// Returns whether a search for a contact event has failed; the blow then cannot be solved.
     bool failed() const { return m_undecided; }
-    /// Returns the number of searches for events, and of points evaluated, since begin().
+    /// Returns the number of searches for contact events since begin(), and of points evaluated in them.
     SearchCount searchCount() const { return m_count; }
     void stall() const {}
-    /// Does nothing: a power series can follow a line of the law with any slope.
+    /// Does nothing: unlike exponential sums, a power series can follow a line of the bit–rock law with any
+    /// slope.
     void turnTo(Real) const {}
-    /// Returns the contact force that is small enough to be ignored, in units of F0.
+    /// Returns the largest contact force that counts as zero, in units of F0.
     Real negligibleForce() const { return m_negligible; }
-    /// Returns the error of the momentum of the rod by rounding and by joined pieces, in units of I0.
+    /// Returns the estimated error of the rod's momentum due to rounding and to joined pieces of the wave, in
+    /// units of I0.
     Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiningError.bound(); }
 
     /// Returns a piece of a wave with the constant value `value` [F0] over `length` [t0].
@@ -88,7 +90,8 @@ class SeriesBasis {
         return f;
     }
 
-    /// Returns the length of the hammer force that one series can hold, at most `left`, in units of t0.
+    /// Returns the length of hammer force that one power series can represent, in units of t0. It is at most
+    /// `left`, the rest of the segment of the hammer force.
     Real hammerPieceLength(const PulseSegment& segment, Real left) const {
         switch (segment.kind) {
             case PulseSegment::Kind::linear:
@@ -101,8 +104,8 @@ class SeriesBasis {
         return left;
     }
 
-    /// Returns the hammer force over `length` as a power series. The force starts at the time `into` within
-    /// its segment, in units of t0.
+    /// Returns the hammer force over `length` [t0] as a power series. It is taken from the time `into` [t0]
+    /// after the start of `segment`.
     const Piece& hammerPiece(const PulseSegment& segment, Real into, Real length) {
         m_hammer = Piece::zero(length);
         auto& c = m_hammer.c;
@@ -138,8 +141,8 @@ class SeriesBasis {
         return m_hammer;
     }
 
-    /// Adds the hammer force over `length` to the wave g, on the scale of `length`. The force starts at the
-    /// time `into` within its segment, in units of t0.
+    /// Adds the hammer force over `length` [t0] to the wave `g`, as a power series in x/length. The force is
+    /// taken from the time `into` [t0] after the start of `segment`.
     void addHammer(const PulseSegment& segment, Real into, Real length, Piece& g) {
         const Piece& hammer = hammerPiece(segment, into, length);
         if (g.scale != length) g.rescale(length);
@@ -149,8 +152,8 @@ class SeriesBasis {
         g.forgetWay();
     }
 
-    /// Returns the integral of the hammer force Fa times the wave g over `length`. The force starts at the
-    /// time `into` within its segment.
+    /// Returns ∫Fa g ds over `length` [t0], the integral of hammer force times wave. The hammer force is
+    /// taken from the time `into` [t0] after the start of `segment`.
     Real hammerProduct(const PulseSegment& segment, Real into, const Piece& g, Real length) {
         const Piece& hammer = hammerPiece(segment, into, length);
         Piece scaled = g;
@@ -158,9 +161,9 @@ class SeriesBasis {
         return Piece::productIntegral(hammer, scaled, length);
     }
 
-    /// Returns the solution of F' = a(2g − F), F(0) = force, over as much of g as one piece can hold, with a
-    /// = `rate` [paper (5)] [paper (8)]. It is inlined because it is needed for every piece of contact, and a
-    /// call costs 3 %.
+    /// Returns the solution of F' = a(2g − F), F(0) = force, with a = `rate` [paper (5)] [paper (8)]. It
+    /// covers as much of the arriving wave g as one power series can follow. It is inlined because it is
+    /// needed for every piece of contact, and a call costs 3 %.
     [[gnu::always_inline]] Response& respond(const Piece& g, Real rate, Real force) {
         Response& r = m_response;
         r.incident = &g;
@@ -179,8 +182,8 @@ class SeriesBasis {
     }
 
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
-    /// Writes the reflected wave g − F of the response to `reflected`. The caller cuts it at the end of the
-    /// stretch of contact.
+    /// Writes the reflected wave g − F of a stretch of contact to `reflected`. The caller must shorten it to
+    /// the length of the stretch.
     void reflect(const Response& r, Piece& reflected) const {
         const Piece &g = *r.incident, &force = r.force;
         reflected.length = force.length;
@@ -192,8 +195,8 @@ class SeriesBasis {
         reflected.displaceLike(g);
         reflected.forgetWay();
     }
-    /// Returns the drive 2g − F of a response, which is the velocity U' of the bit and F'/a; valid until the
-    /// next response.
+    /// Returns the drive 2g − F over a stretch of contact: the velocity U' of the bit, equal to F'/a. Loading
+    /// ends where it becomes negative. The reference is valid until the next stretch is solved.
     const Piece& drive(const Response& r) {
         const Piece &g = *r.incident, &force = r.force;
         Piece& d = m_drive;
@@ -210,18 +213,19 @@ class SeriesBasis {
         for (int k = common; k < force.count; ++k) d.c[k] = -force.c[k];
         return d;
     }
-    /// Ends the stretch of contact at `length` [t0], and returns force, impulse and error there.
+    /// Ends the stretch of contact at `length` [t0]. Returns the force there, and the impulse over the
+    /// stretch with its error.
     StretchEnd<Real> endAt(Response& r, Real length) const {
         r.length = length;
         const Real size = r.size + r.incident->magnitude();
         return {r.force.value(length), r.force.integral(length),
                 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length};
     }
-    /// Removes from the wave g the part that has arrived during the stretch of the response.
+    /// Removes from the arriving wave `g` the part that has passed during the stretch of contact `r`.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
-    /// Returns the time at which the incident wave g closes the gap (∫2g ds equals `gap`), if it does so
-    /// within the piece.
+    /// Returns the time [t0] within the piece g of the incident wave at which the bit reaches the rock (∫2g
+    /// ds = `gap`), if it does.
     Zero<Real> gapClosure(const Piece& g, Real gap) {
         if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
         if (gap > 2 * g.way().most) return {};
@@ -230,19 +234,20 @@ class SeriesBasis {
         for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * Piece::inverse(k + 1);
         return scaled(firstZero(c, g.count + 1, g.length / g.scale, m_count), g.scale, g.length);
     }
-    /// Returns the time at which the force falls to zero. F is a positive mean of 2g and of the earlier
-    /// force, so a compressive wave cannot make it zero.
+    /// Returns the time [t0] within the stretch at which the impact force F falls to zero, if it does. A
+    /// compressive arriving wave cannot make it zero.
     Zero<Real> forceVanishes(const Response& r) {
         if (r.incident->isZero()) return {};
         const Real start = r.incident->startValue();
         if (start + start >= r.incident->magnitude()) return {};
         return zeroOf(r.force, r);
     }
-    /// Returns the time within a stretch of contact at which the drive 2g − F changes from positive to
-    /// negative.
+    /// Returns the time [t0] within a stretch of contact at which the drive 2g − F changes from positive to
+    /// negative, if it does. The force then has a maximum.
     Zero<Real> driveVanishes(const Response& r) { return zeroOf(drive(r), r); }
-    /// Returns the time at which F reaches `peak`. `tangential` is set at the start of unloading, where F =
-    /// peak and F' = 0 exactly.
+    /// Returns the time [t0] within the stretch at which the impact force F rises to `peak` [F0], if it does.
+    /// `tangential` is set just after unloading began, where F = peak and F' = 0 exactly; rounding there is
+    /// then ignored.
     Zero<Real> forceReaches(const Response& r, Real peak, bool tangential) {
         Real c[Piece::capacity];
         c[0] = tangential ? Real(0) : peak - r.force.startValue();
@@ -260,8 +265,8 @@ class SeriesBasis {
                       r.force.scale, r.length);
     }
 
-    /// Returns the larger of `before` and the largest force F of the response over [0, length]. The forces at
-    /// both ends must be included in `before`.
+    /// Returns the largest impact force F over [0, length] of a stretch of contact, or `before` if that is
+    /// larger. `before` must be at least the force at both ends.
     Real largest(const Response& r, Real length, Real before) {
         if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
         Real most = before;
@@ -276,23 +281,28 @@ class SeriesBasis {
         return most;
     }
 
-    /// Returns an upper bound of largestIntegral(g), in units of I0.
+    /// Returns an upper bound of the impulse ∫g over [0, x] for every x within the piece g, in units of I0;
+    /// at least 0.
     Real mostIntegral(const Piece& g, Real, Real) const { return g.way().most; }
     /// Returns the impulse ∫g of a wave over the whole piece g, in units of I0.
     static Real impulse(const Piece& g) { return g.way().whole; }
-    /// Returns the magnitude that, times the machine epsilon, estimates the rounding error of impulse().
+    /// Returns an upper bound of ∫|g| over the piece g, in units of I0. Times the machine epsilon, it
+    /// estimates the rounding error of impulse().
     static Real impulseSize(const Piece& g) { return g.way().size; }
 
-    /// Drops terms of the piece that are small enough to be ignored.
+    /// Drops terms of a wave piece that are negligible relative to the largest wave force.
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
-    /// Joins the piece `next` to the piece `last` if that is accurate enough, and adds the effect on the
-    /// coefficient of restitution to `error`. Returns whether the pieces were joined.
+    /// Replaces two neighbouring pieces of the wave by one power series in `last`, if that is accurate
+    /// enough, and adds the error of the coefficient of restitution to `error`. Otherwise returns false and
+    /// changes nothing.
     bool join(Piece& last, const Piece& next, Real& error) { return m_joiner.join(last, next, error); }
-    /// Adds the error that joined pieces cause during a stretch of the given length [t0] on the elastic line.
+    /// Adds the error of the rock's impulse due to joined pieces of the wave, for a contact that stays on the
+    /// elastic line (unloading or reloading) for `length` [t0].
     void passElastic(Real length) { m_joiningError.passElastic(length); }
-    /// Adds the error that joined pieces cause at a contact event, which ends the stretch at `length` [t0].
-    /// `arriving` is the length of the arriving piece that has not passed yet.
+    /// Adds the error that joined pieces of the wave cause at a contact event. The event ends the stretch of
+    /// contact at `length` [t0]. `arriving` is the length of the wave piece that was still to arrive when the
+    /// stretch began [t0].
     void passEvent(ContactEvent event, const Response& r, Real length, Real arriving) {
         m_joiningError.pass(event, length > 0 ? r.incident->displaced : r.incident->displacedAtStart,
                             arriving);
@@ -303,8 +313,8 @@ class SeriesBasis {
         return Piece::productIntegral(f, g, length);
     }
 
-    /// Appends a stretch of time with incident wave and force to the histories of an impact; `force` is null
-    /// without contact.
+    /// Appends the incident wave and the impact force over `length` [t0] to the histories in `impact`.
+    /// `force` is null if bit and rock are apart.
     void record(const Piece& incident, const Piece* force, Real length, Impact& impact) const {
         double c[Piece::capacity];
         const auto copy = [&](const Piece& f) {
@@ -317,31 +327,32 @@ class SeriesBasis {
     }
 
   private:
-    /// Exponent of the power of two below which terms are dropped, relative to the largest wave force: 2^-10
-    /// of a rounding error or less.
+    /// Exponent n of the limit below which terms are dropped: 2^n times the largest wave force. The limit is
+    /// 2^-10 of a rounding error or less.
     static constexpr int negligibleExponent = std::numeric_limits<Real>::digits == 53 ? -62 : -80;
-    /// Ratio of the largest acceptable last coefficient to m_negligible, the magnitude of dropped terms. It
-    /// makes that coefficient as large as a rounding error.
+    /// Largest accepted last coefficient of a truncated power series, as a multiple of m_negligible. It is as
+    /// small as a rounding error, so that the rest of the series may be neglected.
     static constexpr Real seenByRounding = 1024;
-    /// Largest sum of the absolute coefficients of a piece, relative to the wave force. With larger
-    /// coefficients, the digits that they cancel would be lost.
+    /// Largest accepted sum of the absolute coefficients of a power series, relative to the largest wave
+    /// force. Larger coefficients would cancel and lose too many digits.
     static constexpr Real mostCancellation = 256;
 
     // Limits of the length of a piece; longer pieces would need more coefficients than there are, or cancel.
-    /// Longest piece of a half sine, in units of t0.
+    /// Longest part of a half-sine hammer force that one power series represents, in units of t0.
     static constexpr Real longestSine = 0.5;
-    /// Longest piece of an exponential hammer force, in units of t0.
+    /// Longest part of an exponential hammer force that one power series represents, in units of t0.
     static constexpr Real longestDecay = 2;
     /// Largest product aℓ of decay rate a and length ℓ for a piece of contact in which F still changes
     /// quickly; longer contact is split into several pieces.
     static constexpr Real layer = 2;
-    /// Largest product aℓ of rate and length for a piece in which F is already near the slow solution; e^6
-    /// cancels three digits of the small difference.
+    /// Largest product aℓ of rate and length for a piece in which F is already near the slow solution 2g −
+    /// F'/a. With aℓ = 6, cancellation costs about three digits (e^6) of the small difference from it.
     static constexpr Real widestLayer = 6;
     static constexpr Real lastOrder = Piece::capacity - 2;
 
-    /// Returns whether aℓ is so large that F may follow the slow solution 2g − F'/a. Each term of that series
-    /// is then small compared with the one before: k/(aℓ) < 1/4 for all k up to the degree of g.
+    /// Returns whether aℓ is so large that F may follow the slow solution 2g − F'/a for the polynomial g. In
+    /// its expansion by powers of 1/a, each term is then small compared with the one before: k/(aℓ) < 1/4 for
+    /// all k up to the degree of g.
     static bool isStiff(Real alpha, const Piece& g) { return alpha >= Real(16 + 4 * g.count); }
 
     Zero<Real> scaled(Zero<Real> zero, Real scale, Real length) {
@@ -353,8 +364,7 @@ class SeriesBasis {
         return scaled(firstZero(f.c.data(), f.count, r.length / f.scale, m_count), f.scale, r.length);
     }
 
-    /// Sets the incident wave of the response to the first `length` [t0] of the arriving wave, on a scale of
-    /// that length.
+    /// Replaces the arriving wave of the response by its first `length` [t0], as a power series in x/length.
     void takeFront(Response& r, Real length) const {
         if (r.incident->scale == length) return;
         if (r.incident != &r.cut) r.cut = *r.incident;
@@ -364,8 +374,8 @@ class SeriesBasis {
         r.cut.length = length;
     }
 
-    /// Computes the slow solution F = 2g − F'/a as an exact polynomial. Returns false if the force is not yet
-    /// near enough to it.
+    /// Computes the slow solution F = 2g − F'/a of F' = a(2g − F), an exact polynomial. Returns false if
+    /// `force`, the force at the start of the stretch, still differs from it.
     bool slowSolution(Response& r, Real alpha, Real force) {
         takeFront(r, r.incident->length);
         const Piece& g = *r.incident;
@@ -386,9 +396,9 @@ class SeriesBasis {
         return true;
     }
 
-    /// Returns the length to take of a long piece, in units of t0: aℓ = 2 in general, more if F is nearly the
-    /// slow solution. The series may then neglect a larger share of the small difference, (aℓ)^n/n! with the
-    /// last order n.
+    /// Returns the length of the first part of a long piece that one series can hold, in units of t0. In
+    /// general aℓ = 2. It is up to aℓ = 6 if F is nearly the slow solution 2g − F'/a, because the series then
+    /// represents only a small difference.
     Real layerLength(const Piece& g, Real rate, Real alpha) const {
         if (!isStiff(alpha, g)) return g.length / std::ceil(alpha / layer);
         const Real faint = std::max(m_layer / m_scale, std::numeric_limits<Real>::epsilon());
@@ -396,8 +406,9 @@ class SeriesBasis {
         return std::min(g.length, std::clamp(wide, layer, widestLayer) / rate);
     }
 
-    /// Computes the recurrence F_{k+1} = α (2g_k − F_k)/(k+1) for aℓ = `alpha`. Returns false if the series
-    /// does not converge within its capacity.
+    /// Computes the power series of F for F' = a(2g − F), F(0) = `force`, by F_{k+1} = α (2g_k − F_k)/(k+1)
+    /// with α = aℓ. Returns false if it does not converge within its capacity, or if its terms cancel too
+    /// many digits.
     bool sumSeries(Response& r, Real alpha, Real force) {
         const Piece& g = *r.incident;
         r.length = r.force.length = r.force.scale = g.length;
@@ -423,14 +434,15 @@ class SeriesBasis {
         return (converged && size <= mostCancellation * m_scale) || g.length * m_scale < m_negligible;
     }
 
-    /// Whether a search for a contact event ended without a result.
+    /// Whether a search for a contact event gave up without a clear answer.
     bool m_undecided = false;
     SearchCount m_count;
-    /// Largest wave force of this blow, in units of F0; the scale for negligible terms.
+    /// Largest wave force of this blow, in units of F0. Terms that are negligible relative to it are dropped.
     Real m_scale = 1;
-    /// Magnitude up to which terms are dropped, in units of F0.
+    /// Magnitude up to which terms of a power series are dropped, in units of F0.
     Real m_negligible = 0;
-    /// Distance of F from the slow solution 2g − F'/a, in units of F0.
+    /// Difference between the force at the start of a stretch of contact and the slow solution 2g − F'/a, in
+    /// units of F0.
     Real m_layer = 0;
     SeriesJoiner<Real> m_joiner;
     JoiningError<Real> m_joiningError;

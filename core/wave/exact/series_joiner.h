@@ -15,22 +15,23 @@ namespace drillwave {
 
 // Permitted error of joined pieces of waves, which depends on the work that they save
 
-/// Limits of the errors that joining pieces of waves may cause in one blow, in double precision. A contact
-/// with soft rock lasts about 1.6/√(βτ) round trips of a wave. With small γ it lasts 1.6/√β, because the
-/// front end moves back only while the wave of the blow passes. Each round trip adds kinks to the wave, and
-/// all earlier kinks arrive again. The work therefore grows with the square of the number of round trips.
-/// From hundreds of round trips on, fewer digits of e are required.
+/// Limits of the errors that joining neighbouring pieces of a wave may cause in one blow, in double
+/// precision. Each contact event leaves a kink in the wave, where a new piece begins, and all earlier kinks
+/// arrive again in each round trip. The work therefore grows with the square of the number of round trips. A
+/// contact with soft rock lasts about 1.6/√(βτ) round trips. With small γ it lasts 1.6/√β, because the front
+/// end moves back only while the wave of the blow passes. From hundreds of round trips on, fewer digits of
+/// the coefficient of restitution e are required.
 struct JoiningBudget {
     /// Approximate number of times that a piece of the wave meets the rock; ≥ 1.
     double passes = 1;
-    /// Largest effect that joining two pieces once may have on the impulse over all passes, in units of I0.
-    /// It applies while no contact event occurs in the joined piece.
+    /// Largest permitted effect of joining two pieces of the wave once, on the impulse over all passes, in
+    /// units of I0. It applies while no contact event occurs in the joined piece.
     double smoothEffect = 0;
-    /// Largest error of the bit's position that joining two pieces may cause, in units of I0/Z.
+    /// Largest permitted error of the bit's position due to joining two pieces of the wave, in units of I0/Z.
     double mostDisplaced = 0;
-    /// Largest change of the wave force by joining two pieces, in units of F0.
+    /// Largest permitted change of the wave force by joining two pieces of the wave, in units of F0.
     double mostDeviation = 0;
-    /// Weight of an impulse error before the last force peak, relative to one during the rebound; 0 … 1.
+    /// Weight √γ of an impulse error during loading, relative to an error after the last force peak; 0 … 1.
     double loadingWeight = 1;
 
     explicit JoiningBudget(const Problem& problem) {
@@ -60,40 +61,42 @@ struct JoiningBudget {
     }
 
   private:
-    /// Number of passes up to which a blow takes little work even if no pieces are joined.
+    /// Number of times the wave may meet the rock in one blow that takes little work even if no pieces are
+    /// joined.
     static constexpr double fewPasses = 100;
-    /// Permitted error of the coefficient of restitution up to fewPasses passes.
+    /// Permitted error of the coefficient of restitution if the wave meets the rock at most fewPasses times.
     static constexpr double leastError = 1e-15;
-    /// Permitted error of the coefficient of restitution for any number of passes.
+    /// Largest permitted error of the coefficient of restitution, however often the wave meets the rock.
     static constexpr double mostError = 5e-10;
 };
 
 // Effect of joined pieces on the impulse of the rock, through events inside them
 
 /// Sum of the errors of the coefficient of restitution that joining pieces of the wave causes. The impact
-/// force depends on the path of the bit, and on its largest penetration so far. Joining makes the path wrong
-/// by D, but only inside a joined piece. If the force has a peak there, the error of that peak remains. Until
-/// the primary line is reached again, the force is wrong by at most (β/γ) 2D. Each change contributes at most
-/// 2D to the impulse, since F follows the wave.
+/// force depends on the position of the bit, and on its largest penetration so far. Joining makes the
+/// position wrong by D, but only inside a joined piece. If the force has a peak there, the error of that peak
+/// remains. Until the force returns to the loading curve, it is wrong by at most (β/γ) 2D. Each change
+/// contributes at most 2D to the impulse, since F follows the wave.
 ///
 /// An impulse error before the last peak changes the energy stored there, of which the rod receives the share
-/// γ; so it counts √γ times. Errors after the peak count in full.
+/// γ. So it counts √γ times; errors after the peak count in full.
 template <class Real>
 class JoiningError {
   public:
-    /// Starts the sum for a blow; `fastest` is the larger rate of the contact, β/γ, per t0.
+    /// Resets the error for a new blow. `fastest` is the larger rate of the contact, β/γ [1/t0].
     void begin(const JoiningBudget& budget, Real fastest) {
         m_fastest = fastest;
         m_loadingWeight = Real(budget.loadingWeight);
         m_loading = m_rebound = m_peak = 0;
     }
 
-    /// Adds the error that arises during a stretch of the given length [t0] on the elastic line of the law.
+    /// Adds the error of the rock's impulse for a contact that stays on the elastic line (unloading or
+    /// reloading) for `length` [t0].
     void passElastic(Real length) { m_rebound += displacedBy(m_peak, length); }
 
-    /// Adds the error that arises if a contact event is inside a joined piece of the wave. `displaced` is the
-    /// error of the bit's path by joining there, in units of I0/Z; `length` is the part of the piece that has
-    /// not passed yet, in units of t0.
+    /// Adds the error of a contact event within a piece of the wave that was joined from several. `displaced`
+    /// is the error of the bit's position there due to joining, in units of I0/Z. `length` is the length of
+    /// the piece that was still to arrive when the stretch of contact began, in units of t0.
     void pass(ContactEvent event, Real displaced, Real length) {
         m_rebound += displacedBy(displaced, length);
         if (event == ContactEvent::unloading) m_peak = displaced;
@@ -103,53 +106,56 @@ class JoiningError {
         }
     }
 
-    /// Returns the upper bound of the error of the coefficient of restitution by joining, four times the
-    /// plain sum. Actual errors are up to half of that sum (tst_joining).
+    /// Returns an upper bound of the error of the coefficient of restitution due to joined pieces: four times
+    /// the sum of the estimated errors. Actual errors are up to half of that sum (tst_joining).
     Real bound() const { return 4 * (m_rebound + m_loadingWeight * m_loading); }
 
   private:
-    /// Returns the error of the impulse, in units of I0, if the bit's path is wrong by `way` (I0/Z) while the
-    /// force follows it for `length` (t0).
+    /// Returns the error of the rock's impulse [I0] if the bit's position is wrong by `way` [I0/Z] for the
+    /// time `length` [t0].
     Real displacedBy(Real way, Real length) const { return 2 * way * std::min(Real(1), m_fastest * length); }
 
     Real m_fastest = 0;        ///< larger rate β/γ of the contact, per t0
     Real m_loadingWeight = 1;  ///< weight √γ of impulse errors before the last force peak
-    /// Error of the impulse on the rock up to the last return to the primary line of the law, in units of I0.
+    /// Error of the rock's impulse due to joined pieces of the wave, in units of I0. It counts up to the last
+    /// return of the force to the loading curve of the bit–rock law.
     Real m_loading = 0;
-    /// Error of the impulse on the rock since the last return to the primary line of the law, in units of I0.
+    /// Error of the rock's impulse due to joined pieces of the wave, in units of I0. It counts from the last
+    /// return of the force to the loading curve of the bit–rock law.
     Real m_rebound = 0;
-    /// Error of the bit's path at its largest penetration, in units of I0/Z.
+    /// Error of the bit's largest penetration due to joined pieces of the wave, in units of I0/Z.
     Real m_peak = 0;
 };
 
 // Piece of the wave in the rod, with the error of the bit's path by joining it to neighbours
 
-/// Wave force on a short interval, possibly joined from several pieces. A joined piece keeps their total
-/// impulse. The path of the bit, its integral, is therefore correct at both ends and slightly wrong between.
+/// Wave force on a short interval as a power series, possibly joined from several pieces. A joined piece
+/// keeps their total impulse. The bit's position, which follows from it, is therefore correct at both ends
+/// and slightly wrong between.
 template <class Real>
 struct WavePiece : PowerSeries<Real> {
-    /// Approximate largest error of the bit's path within the piece by joining, |∫(joined − exact)|, in units
-    /// of I0; 0 if the piece was not joined.
+    /// Approximate largest error of the bit's position within this piece due to joining, |∫(joined − exact)|,
+    /// in units of I0; 0 if the piece was not joined.
     Real displaced = 0;
-    /// Error of the bit's path at the start of the piece, in units of I0; 0 unless the piece was cut out of a
-    /// joined one.
+    /// Error of the bit's position at the start of the piece, in units of I0; 0 unless the piece was cut out
+    /// of a joined one.
     Real displacedAtStart = 0;
 
     WavePiece() = default;
     WavePiece(const PowerSeries<Real>& exact) : PowerSeries<Real>(exact) {}
 
-    /// Integrals of a piece that free flight needs in every round trip; computed only once.
+    /// Integrals of the wave over a piece, which free flight needs in every round trip; computed only once.
     struct Way {
         /// Integral of the wave over the whole length of the piece, in units of I0.
         Real whole;
         /// Upper bound, at least 0, of the integral of the wave over [0, x] for every x up to the length, in
         /// units of I0.
         Real most;
-        /// Upper bound of the integral of |f|, in units of I0; times the machine epsilon, it estimates the
-        /// rounding error of `whole`.
+        /// Upper bound of ∫|f| over the piece for its wave force f, in units of I0. Times the machine
+        /// epsilon, it estimates the rounding error of `whole`, the integral ∫f.
         Real size;
     };
-    /// Returns the integrals of the piece, which are computed at the first call only.
+    /// Returns the integrals of the wave over this piece, which are computed at the first call only.
     const Way& way() const {
         if (m_hasWay) return m_way;
         m_way = {this->integral(this->length), this->mostIntegral(), this->integralOfSizes()};
@@ -159,8 +165,8 @@ struct WavePiece : PowerSeries<Real> {
     /// Discards the stored integrals; must be called when coefficients were changed from outside.
     void forgetWay() { m_hasWay = false; }
 
-    /// Removes the part of the piece before x, in units of t0 from its start. The bit's path may then be
-    /// wrong already at the start of the piece.
+    /// Removes the part of the piece before x [t0]. In a joined piece, the position of the bit may then be
+    /// wrong already at the new start.
     void dropFront(Real x) {
         PowerSeries<Real>::dropFront(x);
         displacedAtStart = displaced;
@@ -172,14 +178,15 @@ struct WavePiece : PowerSeries<Real> {
         this->length = x;
         forgetWay();
     }
-    /// Copies the errors of the bit's path from the piece `other`, from which this piece is made.
+    /// Copies the errors of the bit's position, `displaced` and `displacedAtStart`, from the piece `other`,
+    /// from which this piece was computed.
     void displaceLike(const WavePiece& other) {
         displaced = other.displaced;
         displacedAtStart = other.displacedAtStart;
     }
-    /// Updates `displaced` when this piece is joined to `next`: the root sum square of `more` and of the
-    /// larger `displaced` of the two, since such errors have either sign. `more` is the error of the bit's
-    /// position that the joining causes, in the unit of `displaced`.
+    /// Updates `displaced` when this piece is joined to `next`. `more` is the error of the bit's position due
+    /// to this joining, in the same unit. The result is √(D² + more²), where D is the larger `displaced` of
+    /// the two, since such errors have either sign.
     void displace(const WavePiece& next, Real more) {
         const Real before = std::max(displaced, next.displaced);
         displaced = std::sqrt(before * before + more * more);
@@ -190,19 +197,21 @@ struct WavePiece : PowerSeries<Real> {
     mutable bool m_hasWay = false;
 };
 
-/// Joining of pieces of the wave in the rod. Every contact event leaves a kink in the reflected wave, and
-/// kinks never vanish. After thousands of round trips there would be thousands of pieces in each. Most of the
-/// kinks are far too small to matter.
+/// Joining of neighbouring pieces of the wave in the rod into one, to save work. Every contact event leaves a
+/// kink in the reflected wave, where one piece ends and the next begins. Kinks never vanish, and after
+/// thousands of round trips there would be thousands of pieces. Most of the kinks are far too small to
+/// matter.
 ///
-/// A joined piece keeps the moments 0 to 3 of both pieces. A contact without an event in it then ends as
-/// before, up to the fourth order of aℓ; join() reports the remainder. Events inside a joined piece have an
-/// effect through the wrong path of the bit, which JoiningError adds when they happen.
+/// A joined piece keeps the moments 0 to 3 of both pieces. A contact without an event in it then ends almost
+/// as before; join() reports the error. Events inside a joined piece happen at a slightly wrong position of
+/// the bit. JoiningError adds their effect.
 template <class Real>
 class SeriesJoiner {
   public:
     using Piece = WavePiece<Real>;
 
-    /// Starts the joining for a blow; `fastest` is the larger rate of the contact, β/γ, per t0.
+    /// Prepares the joining of pieces for a new blow. `fastest` is the larger rate of the contact, β/γ
+    /// [1/t0].
     void begin(const JoiningBudget& budget, Real fastest) {
         const Real precision =
             std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon());
@@ -213,9 +222,10 @@ class SeriesJoiner {
         m_mostDeviation = Real(budget.mostDeviation) * precision;
     }
 
-    /// Joins `next` to `last` if that is accurate enough, and returns whether the pieces were joined. The
-    /// effect on the coefficient of restitution, for contact without an event in the piece, is added to
-    /// `error`.
+    /// Replaces two neighbouring pieces of the wave by one power series in `last`, if that is accurate
+    /// enough. Otherwise returns false and changes nothing. The error of the coefficient of restitution is
+    /// added to `error`. It does not include the effect of contact events within the new piece (see
+    /// JoiningError).
     bool join(Piece& last, const Piece& next, Real& error) {
         const Real whole = last.length + next.length;
         const Real weight = whole * m_fastest;
@@ -249,25 +259,26 @@ class SeriesJoiner {
   private:
     using Series = PowerSeries<Real>;
 
-    /// Largest product aℓ of rate and length for a joined piece. A longer piece would include the initial
-    /// layer of a stiff contact, which no other series follows.
+    /// Largest product aℓ of contact rate a and length ℓ for a joined piece of the wave. In a longer piece,
+    /// the force of a stiff contact could change too fast for one power series.
     static constexpr double layer = 0.5;
 
-    /// Returns the size of the jump between two constant pieces, in units of F0; 0 if a piece is not
-    /// constant. A jump is the most frequent reason not to join pieces, and quickly computed.
+    /// Returns the jump of the wave force between two neighbouring constant pieces, in units of F0; 0 if a
+    /// piece is not constant. A jump is the most frequent reason not to join pieces, and it is quickly
+    /// computed.
     static Real jump(const Piece& last, const Piece& next) {
         return last.count <= 1 && next.count <= 1 ? std::abs(last.startValue() - next.startValue()) : Real(0);
     }
 
-    /// Returns ∫|f| over the length of f, or a slightly larger value: the error of the bit's path, in units
-    /// of I0, if a wave is wrong by f.
+    /// Returns ∫|f| over the length of f, or a slightly larger value. It is the error of the bit's position,
+    /// in units of I0, if the wave has the error f.
     static Real displacement(const Series& f) {
         Real sum = 0;
         for (int k = 0; k < f.count; ++k) sum += std::abs(f.c[k]) / Real(k + 1);
         return sum * f.length;
     }
 
-    /// Returns the difference f − g of two power series, on the scale of f's length.
+    /// Returns the difference f − g of two power series, as a series in x divided by the length of f.
     static Series difference(const Series& f, const Series& g) {
         Series result = f, subtracted = g;
         result.rescale(f.length);

@@ -12,14 +12,14 @@ namespace drillwave {
 /// effect than rounding.
 bool isSoftReference(const Problem& problem);
 
-/// Returns the solution of the reference case for βτ → 0, expanded to the first order; the next order,
-/// (βτ)^(3/2), is below rounding:
+/// Returns the solution of the reference case (a rod that arrives as a rigid body) on very soft rock, βτ → 0.
+/// It is expanded to the first order; the next order, (βτ)^(3/2), is below rounding:
 ///
 ///     e = √γ + (1 − γ)βτ/(6√γ),   Fm = √(β/τ)(1 − βτ/6)      (T30).
 ///
-/// Loading takes (π/2)√(τ/β)(1 + βτ/6), unloading √γ times as long with βτ/γ instead of βτ (T31). |error of
-/// e| ≤ corError = (βτ)^(3/2)/γ + rounding, checked against ExactSolver where both exist. There are no
-/// histories: Detail::histories gives a blow that is not solved.
+/// Loading takes (π/2)√(τ/β)(1 + βτ/6), unloading √γ times as long with βτ/γ instead of βτ (T31). The error
+/// of e is at most corError = (βτ)^(3/2)/γ + rounding, checked against ExactSolver where both exist. There
+/// are no histories: Detail::histories gives a blow that is not solved.
 Impact softReference(const Problem& problem, Detail detail);
 
 }  // namespace drillwave

@@ -4,15 +4,15 @@
 
 namespace drillwave {
 
-/// Force, impulse and error at the end of a stretch of contact.
+/// Result for one stretch of contact: the force at its end, the impulse and its error.
 template <class Real>
 struct StretchEnd {
-    /// Impact force F at the end of the stretch, in units of F0; negative by rounding at most.
+    /// Impact force F at the end of the stretch of contact, in units of F0; negative only by rounding.
     Real force = 0;
-    /// Impulse of the impact force over the stretch, in units of I0.
+    /// Impulse of the impact force over the stretch of contact, in units of I0.
     Real impulse = 0;
-    /// Upper bound of the error of the blow's impulse due to rounding and truncation in this stretch, in
-    /// units of I0.
+    /// Upper bound of the error of the blow's impulse due to rounding and truncation in this stretch of
+    /// contact, in units of I0.
     Real error = 0;
 };
 

@@ -14,24 +14,27 @@ namespace drillwave {
 // Everything here needs an impact solved with Detail::histories. Times s are in t0 from the arrival of the
 // first wave at the bit (impact.frontArrival), forces in F0, impulses in I0.
 
-/// Returns the incident wave g(s) = −Np at the bit, in units of F0, compression positive, for any s. Before
-/// the first front it is 0, or 1/(2τ) in the reference case (a rod that arrives as a rigid body). After the
-/// end of the recording it repeats with period 2τ.
+/// Returns the incident wave g(s) = −Np at the bit, in units of F0, compression positive, at any time s. s is
+/// counted in t0 from the first arrival at the bit. Before, g is 0, or 1/(2τ) in the reference case (a rod
+/// that arrives as a rigid body). After the end of the recording it repeats with period 2τ.
 double incidentWave(const Impact& impact, double s);
 
-/// Returns the impact force F(s) ≥ 0 in units of F0 for any s. The reflected wave is r = F − g, which
-/// satisfies [paper (4)] and [paper (7)].
+/// Returns the impact force F(s) ≥ 0, in units of F0, at any time s, counted in t0 from the first arrival at
+/// the bit. With the incident wave g, the reflected wave is r = F − g, which satisfies [paper (4)] and [paper
+/// (7)].
 double impactForce(const Impact& impact, double s);
 
-/// Returns the impulse of the impact force up to the time s, ∫F ds, in units of I0; 0 for s ≤ 0.
+/// Returns the impulse of the impact force up to the time s, ∫F ds, in units of I0. s is counted in t0 from
+/// the first arrival at the bit; for s ≤ 0 the impulse is 0.
 double impactImpulse(const Impact& impact, double s);
 
-/// Returns the impulse that the incident wave has brought to the bit up to the time s, ∫g ds, in units of I0,
-/// for any s. In the reference case (a rod that arrives as a rigid body) it is negative before s = 0.
+/// Returns the impulse that the incident wave has brought to the bit up to the time s, ∫g ds, in units of I0.
+/// s is counted in t0 from the first arrival at the bit. In the reference case (a rod that arrives as a rigid
+/// body) the impulse is negative before s = 0.
 double incidentImpulse(const Impact& impact, double s);
 
-/// Returns the time s of a point of the recording: its recorded time plus the periods that were left out
-/// before it.
+/// Returns the time s [t0] since the first arrival that belongs to a time in the recording. It adds the
+/// periods that were left out before it.
 double timeOfRecorded(const Impact& impact, double recorded);
 
 // Position of the bit: its penetration into the rock, or its distance from the rock.
@@ -54,12 +57,12 @@ struct BitState {
 
 /// Returns the contact state of bit and rock at the time t/t0 since the start of the blow. `contacts` are the
 /// contactIntervals() of the impact, `delta` is the initial gap δ in units of d0. The rounding error is 1e-15
-/// of the displacement so far. Requires an impact with Detail::histories.
+/// of the displacement of the bit until then. Requires an impact with Detail::histories.
 BitState bitState(const Impact& impact, std::span<const ContactInterval> contacts, double delta, double t);
 
-/// Returns the contact state of bit and rock at the time t/t0. `displacementAt` gives the displacement of the
-/// bit towards the rock at any time, in units of d0. `contacts` are the intervals of contact in order of
-/// time, `delta` is the initial gap δ.
+/// Returns the contact state of bit and rock at the time t/t0. `displacementAt` is a function that returns
+/// the displacement of the bit towards the rock at any time, in units of d0. `contacts` are the intervals of
+/// contact in order of time. `delta` is the initial gap δ, in units of d0.
 BitState bitState(const std::function<double(double)>& displacementAt,
                   std::span<const ContactInterval> contacts, double delta, double t);
 

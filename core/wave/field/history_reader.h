@@ -14,31 +14,34 @@ namespace drillwave {
 // impact.frontArrival, in t0. Recorded times are those of impact.incident and impact.force. They leave out
 // the periods of impact.skips, and end where everything repeats with the round trip 2τ.
 
-/// Returns the recorded time at which g and F have the values of the time s, both in units of t0. For s
-/// before the start of the recording it returns s itself.
+/// Returns the time in the recording at which incident wave and impact force have the values of the time s,
+/// both in units of t0. The recording leaves out periods that repeat, and repeats after its end. For s before
+/// its start, s itself is returned.
 double recordedTime(const Impact& impact, double s);
 
-/// Returns how long, from the time s on, the recorded time advances with s without a jump, in units of t0.
+/// Returns for how long after the time s the recording can be read without a jump, in units of t0. A jump
+/// occurs where periods were left out, or where the recording ends and repeats.
 double uninterrupted(const Impact& impact, double s);
 
 /// Returns the total duration of the periods of free flight that were left out of the recording before a
 /// recorded time, in units of t0.
 double unrecordedBefore(const Impact& impact, double recorded);
 
-/// Returns the incident wave g/F0 before the first wave arrives (s < 0). It is 1/(2τ) in the reference case,
-/// whose rod already moves, and 0 after a blow of a hammer.
+/// Returns the incident wave g/F0 before the first wave arrives at the bit. It is 1/(2τ) in the reference
+/// case (a rod that arrives as a rigid body), and 0 for all other blows.
 double waveBeforeArrival(const Impact& impact);
 
-/// Reader of the waves at the bit for many times in succession. Values equal those of incidentWave() and
-/// impactForce(); but the reader walks from piece to piece instead of searching for each time. Requires an
-/// impact solved with Detail::histories, which must outlive the reader.
+/// Reader of the waves at the bit at many times in succession. Its values equal those of incidentWave() and
+/// impactForce(). It is faster, because it searches each time from the polynomial piece of the time before.
+/// Requires an impact solved with Detail::histories, which must outlive the reader.
 class HistoryReader {
   public:
     explicit HistoryReader(const Impact& impact);
 
-    /// Returns the incident wave g(s)/F0 at any time s/t0.
+    /// Returns the incident wave g/F0 at any time s/t0 since the first arrival at the bit.
     double incident(double s);
-    /// Returns the reflected wave r(s) = F(s) − g(s), in units of F0, at any time s/t0.
+    /// Returns the reflected wave r = F − g, in units of F0, at any time s/t0 since the first arrival at the
+    /// bit.
     double reflected(double s);
     /// Returns the number of pieces of the histories that were examined so far, a measure of the work.
     long steps() const { return m_steps; }

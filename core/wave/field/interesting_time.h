@@ -14,15 +14,17 @@ struct TimeSpan {
     bool operator==(const TimeSpan&) const = default;
 };
 
-/// Returns the interval of time that a picture of a blow shows at first: from the start to one round trip
-/// after the last separation. It leaves out most of a long flight before the first contact, and everything
-/// after a dozen round trips. Requires an impact solved with Detail::events or more.
+/// Returns the interval of time that a picture of a blow shows at first. It starts with the blow, and ends
+/// one round trip after the last separation, or after the waves of the hammer force if they arrive later. It
+/// leaves out most of a long flight before the first contact, and everything after a dozen round trips.
+/// Requires an impact solved with Detail::events or more.
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
-/// Returns the interval of time that a picture of a blow shows at first, in units of t0. `contact` lasts from
-/// the first contact to the last separation; NaN if there is no contact. The interval ends one round trip
-/// after `contact`, or after `arrival`, the arrival of the whole blow at the bit, if that is later. It leaves
-/// out most of a long flight before the contact, and is at most a dozen round trips long.
+/// Returns the interval of time that a picture of a blow shows at first, in units of t0. `contact` is the
+/// time from the first contact to the last separation; NaN if there is no contact. `arrival` is the time at
+/// which the waves of the blow reach the bit. The interval ends one round trip after the later of `arrival`
+/// and the end of `contact`. It leaves out most of a long flight before the contact, and is at most a dozen
+/// round trips long.
 TimeSpan interestingTime(const TimeSpan& contact, double arrival, double roundTrip);
 
 }  // namespace drillwave

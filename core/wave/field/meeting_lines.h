@@ -16,7 +16,7 @@ namespace drillwave {
 struct WaveStretch {
     /// Start and end of the interval, in units of t0.
     double begin = 0, end = 0;
-    /// Values of the wave at start and end, in units of F0.
+    /// Values of the wave at the times `begin` and `end`, in units of F0.
     double first = 0, last = 0;
 
     /// Returns the wave at a time, in units of F0; outside the interval, the value at the nearer end.
@@ -25,15 +25,15 @@ struct WaveStretch {
     double slope() const { return (last - first) / (end - begin); }
 };
 
-/// Straight part of the largest sum of two waves as a function of their delay. The delay is the time between
-/// the departure of one wave from the bit and the arrival of the other.
+/// Part of the largest sum of two waves that is a straight line over their delay. The delay is the time
+/// between the departure of one wave from the bit and the arrival of the other.
 struct MeetingLine {
     /// Range of delays between the two waves, in units of t0.
     double begin = 0, end = 0;
-    /// Largest sums of the two waves at both ends of the range, in units of F0.
+    /// Largest sums of the two waves at the delays `begin` and `end`, in units of F0.
     double first = 0, last = 0;
-    /// Times at which the incoming wave of the largest sum reaches the bit, for both ends of the range, in
-    /// units of t0.
+    /// Times at which the incident wave of the largest sum reaches the bit, for the delays `begin` and `end`,
+    /// in units of t0.
     double incidentFirst = 0, incidentLast = 0;
 
     /// Returns the largest sum at a delay in units of t0, by linear interpolation.
@@ -42,18 +42,19 @@ struct MeetingLine {
     MeetingLine part(double from, double to) const;
 };
 
-/// Upper envelope of many lines over 0 ≤ delay ≤ span; zero before the first line is added.
+/// Largest value of many lines at every delay between two waves, 0 ≤ delay ≤ span: their upper envelope. It
+/// is zero before the first line is added.
 class UpperEdge {
   public:
     /// Creates an envelope over the delays 0 … span. Lines that exceed the envelope by no more than
     /// `rounding` (in units of F0) do not raise it.
     UpperEdge(double span, double rounding);
 
-    /// Raises the envelope to the line wherever the line is higher.
+    /// Raises the envelope to this line wherever the line is higher.
     void raise(const MeetingLine& line);
     /// Returns the minimum of the envelope over the delays [begin, end], plus the `rounding` of the
-    /// constructor, in units of F0. As soon as a value below `enough` is found, the search ends and returns
-    /// that value.
+    /// constructor, in units of F0. A line below it cannot raise the envelope. As soon as a value below
+    /// `enough` is found, the search ends and returns a value below `enough`.
     double leastOver(double begin, double end,
                      double enough = -std::numeric_limits<double>::infinity()) const;
     /// Returns the lines of the envelope in order of delay; each begins where the previous one ends.
@@ -68,28 +69,30 @@ class UpperEdge {
     Lines m_lines;  ///< keys are the delays at which the lines begin
 };
 
-/// Limits for the pairs of waves that can be in the rod at the same time.
+/// Limits for the search of largestMeetings(), which adds only two waves that are in the rod at the same
+/// time.
 struct MeetingLimits {
     double roundTrip = 0;  ///< round trip 2τ of a wave, the largest delay of a pair
-    /// Latest recorded time of a meeting, in units of t0. Two waves meet at the mean of their two times at
-    /// the bit.
+    /// Recorded time up to which meetings of two waves count, in units of t0; later ones are left out. The
+    /// recorded time of a meeting is the mean of the times at which both waves are at the bit.
     double end = std::numeric_limits<double>::infinity();
 };
 
 /// Largest sums of two opposite waves for all delays between them, the result of largestMeetings().
 struct LargestMeetings {
-    /// Largest sums over the delay, in order of delay.
+    /// Largest sums of the two waves as straight lines over the delay between them, in order of delay.
     std::vector<MeetingLine> lines;
-    /// Amount by which a line may be too low, in units of F0; 0 if all pairs were examined.
+    /// Amount by which a line may be too low because pairs of waves were left out, in units of F0; 0 if all
+    /// were examined.
     double missed = 0;
     /// Number of pairs examined, a measure of the work.
     long steps = 0;
 };
 
 /// Returns the largest incoming(a) + reflected(a − delay) over all times a, for every delay from 0 to a round
-/// trip. Pairs of straight stretches are tried in the order of their upper bounds, first in whole groups.
-/// Pairs that cannot raise the result by more than 2e-5 of the largest sum are skipped. After `mostSteps`
-/// pairs or a stop request, all remaining pairs are left out.
+/// trip. It gives the largest force at every section of the rod. The waves are approximated by straight
+/// stretches. Pairs of stretches that cannot raise the result by more than 2e-5 of the largest sum are
+/// skipped. After `mostSteps` pairs or a stop request, all remaining pairs are left out.
 LargestMeetings largestMeetings(std::span<const WaveStretch> incoming, std::span<const WaveStretch> reflected,
                                 const MeetingLimits& limits, long mostSteps, const std::stop_token& stop);
 

@@ -22,8 +22,8 @@ class ForcePeaks {
     explicit ForcePeaks(double largest);
     /// Adds the next piece of the impact force, in order of time.
     void add(const PiecewisePolynomial& force, const PiecewisePolynomial::Piece& piece);
-    /// Returns the number of peaks, including one that ends with the force itself. No pieces may be added
-    /// afterwards.
+    /// Returns the number of peaks. If the force still rises at its end, this end is a peak, too. Call it
+    /// last: no pieces may be added afterwards.
     int count();
 
   private:
@@ -49,8 +49,8 @@ class PassingWaves {
     /// find.
     PassingWaves(const Impact& solved, const PulseForce& pulse, const RodForceChoice& choice);
 
-    /// Processes the histories recorded so far, and removes all but the last two round trips from
-    /// `recording`. Returns the number of recorded pieces at which to call it again.
+    /// Processes the histories recorded so far, and then removes all but their last two round trips from
+    /// `recording`. Returns the number of pieces in `recording` at which the solver has to call it again.
     std::size_t take(Impact& recording);
     /// Processes the last part of the histories, which take() has not seen, after the blow has ended.
     void takeLast(Impact& recording);

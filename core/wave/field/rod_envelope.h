@@ -18,7 +18,7 @@ using EnvelopeLine = std::vector<RodForce>;
 
 /// Four lines of the largest forces over the rod: compression and tension, during and after the blow.
 struct RodEnvelope : OfLoads<EnvelopeLine> {
-    /// Largest force of each line over the whole rod.
+    /// Largest force of each of the four lines, over the whole rod.
     RodForces largest;
     /// Amount by which a line of largest forces may be too low because the work limit was reached, in units
     /// of F0; otherwise 0.
@@ -27,11 +27,10 @@ struct RodEnvelope : OfLoads<EnvelopeLine> {
     long steps = 0;
 };
 
-/// Returns the largest forces at every section of the rod, during and after the blow. Between neighbouring
-/// instants the waves are taken as straight lines, with the same instants as in largestRodForces(). The sum
-/// of two lines that pass each other is exact over the sections where they meet. A smooth maximum may be
-/// missed by 2e-4 of the largest force. At a jump both sides count. Each of the four lines takes at most
-/// `mostSteps` steps; a stop request ends the work early. Requires an impact solved with Detail::histories.
+/// Returns the largest forces at every section of the rod, during and after the blow. Between the instants of
+/// largestRodForces(), the waves are replaced by straight lines. A smooth maximum may therefore be missed by
+/// 2e-4 of the largest force. At a jump both sides count. Each of the four lines takes at most `mostSteps`
+/// steps; a stop request ends the work early. Requires an impact solved with Detail::histories.
 RodEnvelope rodEnvelope(const Impact& impact, const PulseForce& pulse, const std::stop_token& stop = {},
                         long mostSteps = 1'000'000);
 

@@ -35,11 +35,11 @@ struct RodForceChoice {
 /// Returns the largest compression −N and tension N = Np + Nn over the whole rod, during the blow and after
 /// it. Requires an impact solved with Detail::histories.
 ///
-/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ. Every pair of times with 0 ≤ a − b
-/// ≤ 2τ meets at some section at t = (a + b)/2 + τ, so a sliding maximum of r is added to g. The result is
-/// exact at breakpoints and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force.
-/// Stretches whose waves are too small to matter are skipped. If `looked` is given, the number of examined
-/// stretches is added to it.
+/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ. Any two times with 0 ≤ a − b ≤ 2τ
+/// meet at some section, at the time t = (a + b)/2 + τ. The search therefore adds to each g(a) the largest r
+/// of the round trip before a. The result is exact at breakpoints and jumps; a maximum inside a smooth piece
+/// may be missed by 2e-4 of the peak force. Intervals of time in which both waves are too small are skipped.
+/// If `looked` is given, the number of examined intervals is added to it.
 RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const RodForceChoice& choice = {},
                            long* looked = nullptr);
 
@@ -47,18 +47,19 @@ RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const 
 
 // For the files of this folder only; requires an impact solved with Detail::histories.
 
-/// Returns a force of the given size, with the section and time at which two waves meet. One wave reaches the
-/// front end at the recorded time `incident`; the other left that end `delay` earlier, 0 ≤ delay ≤ 2τ. They
-/// meet at 1 − ξ = delay/2τ. Times are in units of t0.
+/// Returns a force with the value `size`, and with the section and time at which the two waves that cause it
+/// meet. One wave reaches the front end at the recorded time `incident`; the other left that end `delay`
+/// earlier, 0 ≤ delay ≤ 2τ. They meet at 1 − ξ = delay/2τ. Times are in units of t0.
 RodForce meetingInRod(const Impact& impact, double size, double incident, double delay);
 
-/// Returns a force of the given size, with the section and time at which two residual waves meet. The waves
-/// repeat with 2τ; the time is that of their first meeting at or after `begin`, in units of t0 since the
-/// start of the blow. `incident` and `delay` are the arguments of meetingInRod().
+/// Returns a force of the given size, with the section and time at which the two residual waves that cause it
+/// meet. `incident` and `delay` describe these waves as in meetingInRod(). Since they repeat with 2τ, the
+/// time is that of their first meeting at or after `begin`, in units of t0 since the start of the blow.
 RodForce laterMeetingInRod(const Impact& impact, double size, double incident, double delay, double begin);
 
-/// Returns the time t/t0 since the start of the blow from which only residual waves run through the rod. This
-/// is one transit after the last separation of bit and rock, and after the end of the hammer force.
+/// Returns the time t/t0 since the start of the blow from which only residual waves run through the rod. It
+/// is one transit after the last separation of bit and rock, or after the end of the hammer force has reached
+/// the bit, whichever is later.
 double startOfWavesLeft(const Impact& impact, const PulseForce& pulse);
 
 /// Returns the peak of the hammer force as a force in the rod, at the rear end ξ = 0, with its time.

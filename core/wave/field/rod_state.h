@@ -28,15 +28,16 @@ struct RodState {
     double time = 0;
     /// Impact force F/F0 between bit and rock; ≥ 0.
     double impactForce = 0;
-    /// Impulse of the impact force so far, ∫F, in units of I0, or of the hammer's momentum p0.
+    /// Impulse of the impact force so far, ∫F dt, in units of I0 (uniform rod) or of the hammer's momentum p0
+    /// (drill string).
     double impulse = 0;
-    /// Impulse of the hammer less that of the impact force, in units of I0 or p0. Without losses it is the
-    /// momentum of rod or string (T20).
+    /// Impulse that the hammer has transferred so far, less the impulse of the impact force, in units of I0
+    /// (uniform rod) or p0 (drill string). Without losses it is the momentum of rod or string (T20).
     double momentum = 0;
-    /// Penetration of the bit below the original surface of the rock, in units of d0 or v0 t0; negative
-    /// before the bit reaches it.
+    /// Penetration of the bit below the original surface of the rock, in units of d0 (uniform rod) or v0 t0
+    /// (drill string); negative before the bit reaches it.
     double penetration = 0;
-    /// Velocity of the bit towards the rock, in units of d0/t0 or v0.
+    /// Velocity of the bit towards the rock, in units of d0/t0 (uniform rod) or v0 (drill string).
     double frontVelocity = 0;
     /// Force between hammer and string, in units of F0; ≥ 0. It is 0 for a uniform rod.
     double faceForce = 0;

@@ -17,22 +17,22 @@ namespace drillwave {
 /// towards the rock). Values are NaN outside hammer and string, and after the end of the computation.
 class StringField {
   public:
-    /// Creates a reader of `waves`. `joints` are the positions x at which the sections begin, from the rear
-    /// end of the hammer, and the position at which the last section ends.
+    /// Creates a reader of `waves`. `joints` are the positions x of the ends of all sections, from the rear
+    /// end of the hammer to the bit: one more than there are sections.
     StringField(const StringWaves& waves, const std::vector<double>& joints);
 
     /// Returns the position x of the rear end of the hammer, in lengths of the string; ≤ 0.
     double rear() const { return m_joints.front(); }
     /// Returns the time t/t0 to which the waves were recorded.
     double end() const { return m_waves->end(); }
-    /// Returns the number of the uniform piece of hammer or string at the position x, counted from the
+    /// Returns the index of the uniform piece of hammer or string at the position x, counted from 0 at the
     /// hammer's rear end. Where two pieces meet, it is the one on the hammer side.
     std::size_t sectionAt(double x) const;
     /// Returns normal force or velocity at the position x and the time t/t0; NaN outside hammer, string and
     /// recording.
     double value(WaveQuantity quantity, double x, double t) const;
-    /// Returns the quantity at the centre of every cell of the grid, without interpolation. The work grows
-    /// with the number of cells.
+    /// Returns the quantity at the centre of every cell of the grid, computed for this point without
+    /// interpolation. The work grows with the number of cells.
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
 
     /// Returns the travel time of a wave from the shank to the bit, in units of t0.
@@ -42,8 +42,8 @@ class StringField {
     double hammerRoundTrip() const { return m_hammerRoundTrip; }
     /// Returns the paths of a wave front that leaves the shank at the time `start` and runs to and fro in the
     /// string. There is one straight path for each uniform piece; those outside the times `begin` … `end` are
-    /// left out. For start = 0, the front of the first touch, the path in the hammer is included. Reflections
-    /// at joints are not followed. Times are in units of t0.
+    /// left out. If start = 0, when the hammer first touches, the path of the front in the hammer is
+    /// included. Reflections at joints are not followed. Times are in units of t0.
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
   private:

@@ -20,8 +20,8 @@ struct SampledCurve {
     std::vector<double> value;
 };
 
-/// Wave number 0, 1, 2, 3 … at a section (N0p, N1n, N2p, N3n …), over one round trip from its arrival (paper,
-/// Fig. 3).
+/// One of the waves that pass a section of the rod one after the other (N0p, N1n, N2p, N3n … in Fig. 3 of the
+/// paper). It lasts one round trip from its arrival at the section.
 struct SectionWave {
     /// Number of the wave in order of arrival, from 0: even waves run to +x (the bit), odd ones to −x.
     int number = 0;
@@ -29,12 +29,12 @@ struct SectionWave {
     SampledCurve curve;
 };
 
-/// Returns the first `count` waves at the section ξ = x/L. The chords deviate from the curve by about 1e-4 of
-/// the size of each piece.
+/// Returns the first `count` waves that pass the section ξ = x/L, as points to be joined by straight lines.
+/// The lines deviate from the curve by about 1e-4 of the size of each polynomial piece.
 std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
 
-/// Returns the wave with index `number` at the section ξ = x/L, up to the time `end` at the latest, in units
-/// of t0.
+/// Returns the wave with index `number` that passes the section ξ = x/L, as points to be joined by straight
+/// lines. It ends one round trip after its arrival, or at the time `end` [t0] if that is earlier.
 SectionWave sampledWave(const Impact& impact, double xi, int number,
                         double end = std::numeric_limits<double>::infinity());
 
@@ -58,10 +58,10 @@ struct SampledHistory {
     std::vector<double> incident;
 };
 
-/// Returns the histories at the bit as points to be joined by straight lines. Every breakpoint is included,
-/// jumps from both sides. The chords deviate from the curves by about 1e-4 of the size of each piece.
-/// Recordings of more than 10 000 pieces are sampled more coarsely, with at most a million chords, or one for
-/// each piece. Periods that were not recorded (impact.skips) are left out.
+/// Returns the recorded histories at the bit as points to be joined by straight lines. At a jump there is a
+/// point on either side. The lines deviate from the curves by about 1e-4 of the size of each polynomial
+/// piece. Recordings of more than 10 000 pieces have fewer lines in each piece: about a million in all, or
+/// one for each piece. Periods that were not recorded (impact.skips) have no points.
 SampledHistory sampleHistory(const Impact& impact);
 
 // Normal force at a section over time, and the waves whose sum it is.
@@ -69,17 +69,17 @@ SampledHistory sampleHistory(const Impact& impact);
 // Everything here needs an impact solved with Detail::histories. Times are in t0 since the start of the blow,
 // forces in F0, tension positive, impulses in I0. ξ = x/L: rear end 0, bit 1.
 
-/// Normal force that a strain gauge measures at a section of the rod, and the waves there that follow the
-/// waves given as `first` to sectionForce().
+/// Normal force that a strain gauge measures at a section of the rod, and its later waves: those that follow
+/// the waves given as `first` to sectionForce().
 struct SectionForce {
-    /// Normal force N = Np + Nn (T2), in units of F0, tension positive. It begins at time 0, or with the
-    /// first wave at the section if that is earlier.
+    /// Normal force N = Np + Nn (T2), in units of F0, tension positive. The curve starts at time 0, or with
+    /// the first wave at the section if that is earlier.
     SampledCurve force;
-    /// Later waves towards the bit, joined in order of time, in units of F0, tension positive. After four
-    /// waves given as `first` to sectionForce(), they are N4p, N6p …
+    /// Later waves towards the bit, joined in order of time, in units of F0, tension positive. They follow
+    /// the waves given as `first` to sectionForce(): after four such waves they are N4p, N6p …
     SampledCurve toBit;
-    /// Later waves away from the bit, joined in order of time, in units of F0, tension positive. After four
-    /// waves given as `first` to sectionForce(), they are N5n, N7n …
+    /// Later waves away from the bit, joined in order of time, in units of F0, tension positive. They follow
+    /// the waves given as `first` to sectionForce(): after four such waves they are N5n, N7n …
     SampledCurve fromBit;
 };
 

@@ -29,9 +29,9 @@ class RodDelays {
     /// Returns the one-way transit time τ of a wave in the rod, in units of t0.
     double transitTime() const { return m_roundTrip / 2; }
 
-    /// Returns the time s/t0 at which the wave that is at the section ξ at the time t is at the bit. A wave
-    /// towards the bit arrives there at s = t + (1 − ξ)τ − arrival. A wave from the bit left it at s = t − (1
-    /// − ξ)τ − arrival.
+    /// Returns the time s/t0, counted at the bit, for a wave that is at the section ξ at the time t. A wave
+    /// towards the bit will reach it at s = t + (1 − ξ)τ − arrival. A wave from the bit has left it at s = t
+    /// − (1 − ξ)τ − arrival.
     double atBit(Heading heading, double xi, double t) const {
         const double way = (1 - xi) * m_roundTrip / 2;
         return heading == Heading::toBit ? t - m_arrival + way : t - m_arrival - way;
@@ -96,19 +96,19 @@ enum class WaveQuantity {
 /// Grid of rectangles (cells) of equal size over a part of the plane of position ξ = x/L and time t/t0 since
 /// the start of the blow.
 struct RasterGrid {
-    /// Range of sections ξ that the columns cover.
+    /// Range of sections ξ = x/L that the columns of the grid cover: 0 is the rear end, 1 the bit.
     double xiBegin = 0, xiEnd = 1;
-    /// Number of columns, one for each section; ≥ 0.
+    /// Number of columns of the grid; each is an equal part of the range of sections; ≥ 0.
     int columns = 0;
-    /// Range of times t/t0 that the rows cover.
+    /// Range of times t/t0 since the start of the blow that the rows of the grid cover.
     double timeBegin = 0, timeEnd = 1;
-    /// Number of rows, one for each time; ≥ 0.
+    /// Number of rows of the grid; each is an equal part of the range of times; ≥ 0.
     int rows = 0;
     bool operator==(const RasterGrid&) const = default;
 
-    /// Returns the section ξ at the centre of a column, which may be outside the rod.
+    /// Returns the section ξ at the centre of a column of the grid. It may be outside the rod.
     double xi(int column) const { return xiBegin + (xiEnd - xiBegin) * (column + 0.5) / columns; }
-    /// Returns the time t/t0 at the centre of a row.
+    /// Returns the time t/t0 at the centre of a row of the grid.
     double time(int row) const { return timeBegin + (timeEnd - timeBegin) * (row + 0.5) / rows; }
     /// Returns the index of a cell of the grid in WaveRaster::values, which go row by row.
     std::size_t index(int column, int row) const {
@@ -121,7 +121,7 @@ struct RasterGrid {
 struct WaveRaster {
     WaveQuantity quantity = WaveQuantity::force;
     RasterGrid grid;
-    /// Values row by row from timeBegin, in the unit of the quantity; NaN outside the rod.
+    /// Values of the quantity at the cells of the grid, row by row from timeBegin; NaN outside the rod.
     std::vector<float> values;
     /// Number of pieces of the histories that were examined, a measure of the work: at most a few for each
     /// cell of the grid.

@@ -36,8 +36,8 @@ struct FrontRun {
     double timeAt(double xi) const {
         return timeAtFront - direction() * (front - xi) / (front - rear) * transitTime;
     }
-    /// Returns the section ξ = x/L at which the front is at the time t/t0. The line is extended beyond both
-    /// ends of the path.
+    /// Returns the section ξ = x/L at which the front is at the time t/t0. At other times, the straight line
+    /// of the path is extended beyond its ends.
     double sectionAt(double t) const {
         return front + direction() * (t - timeAtFront) / transitTime * (front - rear);
     }

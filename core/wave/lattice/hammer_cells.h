@@ -14,7 +14,8 @@ class HammerCells {
   public:
     /// Creates the sequence of means for a blow without a hammer force.
     HammerCells() = default;
-    /// Creates the sequence for a pulse, which must outlive it; `step` is Δ in units of t0, > 0.
+    /// Creates the sequence of means of the force `pulse`, which must outlive it. `step` is the time step Δ >
+    /// 0, in units of t0.
     HammerCells(const PulseForce& pulse, double step);
 
     /// Returns the mean of the hammer force over the next time step, in units of F0; 0 from the end of the

@@ -41,7 +41,8 @@ class StepHistory {
         m_force = force;
         ++m_count;
     }
-    /// Appends the time steps that are not yet in the histories to those of the impact.
+    /// Appends the time steps since the last change of the values to the histories of the impact, as one
+    /// piece.
     void flush(Impact& impact) {
         if (m_count == 0) return;
         const double length = double(m_count) * m_step;
@@ -50,7 +51,8 @@ class StepHistory {
         ++m_pieces;
         m_count = 0;
     }
-    /// Returns the number of pieces of constant values that were appended so far.
+    /// Returns the number of pieces that were appended to the histories so far. The values are constant in
+    /// each.
     std::size_t pieces() const { return m_pieces; }
 
   private:
@@ -144,8 +146,8 @@ class LatticeMarch {
     /// Number of successive steps with neither contact nor hammer force.
     long m_freeSteps = 0;
     double m_freeMomentum = 0, m_freeEnergy = 0;
-    /// Largest sum Σg since the free flight began; times 2Δ it is the largest displacement of the front end,
-    /// in units of I0/Z.
+    /// Largest sum Σg of the incident wave over the time steps since the free flight began. Times 2Δ it is
+    /// the largest displacement of the front end, in units of I0/Z.
     double m_farthest = 0;
 };
 

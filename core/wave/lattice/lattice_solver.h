@@ -27,7 +27,7 @@ enum class ErrorEstimate { none, fromOtherLattices };
 struct LatticeOptions {
     /// Number L of segments of the rod, minimumSegments … maximumSegments.
     int segments = 10'000;
-    /// Storage of the waves; it does not change the results.
+    /// Way in which the waves in the segments are stored. It changes the computing time, but not the results.
     LatticeWaves waves = LatticeWaves::ring;
     /// Whether the error is estimated from rods of fewer segments.
     ErrorEstimate estimate = ErrorEstimate::fromOtherLattices;
@@ -40,17 +40,16 @@ inline constexpr int maximumSegments = 1'000'000;
 
 /// Solver for blows on a rod of L equal segments with the time step Δ = τ/L, which reuses its memory.
 ///
-/// The hammer force is replaced by its means over the steps. The impact force is constant in each step, and
-/// does exactly the work of the bilinear law (StepLaw). The solution ends with the same proof as in
-/// ExactSolver: a whole period without contact, and momentum not towards the rock. Free flights of many
-/// periods are skipped.
+/// The hammer force is replaced by its means over the time steps. The impact force is constant in each step,
+/// and does exactly the work of the bit–rock law (StepLaw). The solution ends when no further contact can
+/// follow: after a round trip without contact, if the momentum is not towards the rock. Free flights of many
+/// round trips are skipped.
 ///
-/// The error of `cor` is proportional to Δ² if γ = 1 or if fronts fall on ends of steps; otherwise it is
-/// between Δ and Δ². `corError` is an estimate, not a bound: twice the range of the results of this lattice
-/// and of eight coarser ones, plus rounding. The coarser ones are comparisonLattices(); finer ones are used
-/// if those are too coarse. The factor of two covers what eight samples miss of the range if the error is
-/// proportional to Δ. If the error is proportional to Δ², the estimate is typically ten times too large. It
-/// is NaN with ErrorEstimate::none.
+/// The error of `cor` is proportional to Δ² if γ = 1, or if jumps of the hammer force fall on ends of steps;
+/// otherwise it is between Δ and Δ². `corError` is an estimate, not a bound. It is twice the range of the
+/// results for this number of segments and eight smaller ones, plus rounding. If those have too long steps,
+/// larger numbers are used. If the error is proportional to Δ², the estimate is typically ten times too
+/// large. It is NaN with ErrorEstimate::none.
 ///
 /// `pieces` is the number of steps from the first arrival on. `peakForce` and events are those of the
 /// force–penetration curve that the steps follow. The histories are constant in each step.
@@ -64,8 +63,8 @@ class LatticeSolver {
     LatticeSolver(LatticeSolver&&) noexcept;
     LatticeSolver& operator=(LatticeSolver&&) noexcept;
 
-    /// Returns the solution of a blow, with the requirements on `problem` of ExactSolver::solve(). `stop` is
-    /// checked at least every few milliseconds.
+    /// Returns the solution of a blow. The requirements on `problem` are those of ExactSolver::solve().
+    /// `stop` is checked at least every few milliseconds.
     Impact solve(const Problem& problem, Detail detail, const LatticeOptions& options,
                  const std::stop_token& stop = {});
 

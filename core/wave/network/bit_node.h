@@ -14,8 +14,8 @@
 
 namespace drillwave {
 
-/// Sums and extremes of the impact force up to a time, in the dimensionless units of Problem (problem.h):
-/// times in t0, forces in F0, impulses in I0.
+/// Impulse, peak force and contact times of the impact force up to a time, in the dimensionless units of
+/// Problem (problem.h): times in t0, forces in F0, impulses in I0.
 struct BitRecord {
     /// Impulse of the impact force, ∫F dt, in units of I0.
     double impulse = 0;
@@ -25,29 +25,29 @@ struct BitRecord {
     double peakForce = 0;
     /// Time t/t0 of the largest impact force.
     double peakTime = 0;
-    /// Time t/t0 of the first contact; negative if there was none.
+    /// Time t/t0 of the first contact of bit and rock; negative if there was none.
     double firstContact = -1;
-    /// Time t/t0 at which the last contact began; negative if there was none.
+    /// Time t/t0 at which the last contact of bit and rock began; negative if there was none.
     double lastContact = -1;
-    /// Time t/t0 of the last separation; negative if there was none.
+    /// Time t/t0 of the last separation of bit and rock; negative if there was none.
     double lastSeparation = -1;
     /// Sum of the durations of all contacts, in units of t0.
     double contactDuration = 0;
-    /// Number of contacts that have begun.
+    /// Number of contacts of bit and rock that have begun.
     int contacts = 0;
 };
 
-/// State of bit and rock at one time, with the record of the contact so far. Lengths are in I0/Zr, forces in
-/// F0, velocities in F0/Zr.
+/// State of bit and rock at one time, with impulse, peak force and times of contact so far. Lengths are in
+/// I0/Zr, forces in F0, velocities in F0/Zr.
 struct BitNodeState {
-    /// Creates a bit on a default rock, without a gap.
+    /// Creates a bit at the surface of rock with the default bit–rock law.
     BitNodeState() : BitNodeState(ContactLaw<double>(BitRockLaw{}), 0) {}
-    /// Creates a bit at the distance `gap` ≥ 0 from a rock with the law `untouched`.
+    /// Creates a bit at the distance `gap` ≥ 0 [I0/Zr] from intact rock with the bit–rock law `untouched`.
     BitNodeState(const ContactLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
 
-    /// Law of bit and rock, which includes the largest force that the rock remembers.
+    /// Bit–rock law with its memory, the largest force so far.
     ContactLaw<double> law;
-    /// Line of the law on which bit and rock are now; `apart` if they do not touch.
+    /// Line of the bit–rock law on which bit and rock are now; `apart` if they do not touch.
     ContactLine line = ContactLine::apart;
     /// Impact force F of bit and rock, in units of F0; ≥ 0.
     double force = 0;
@@ -56,7 +56,7 @@ struct BitNodeState {
     /// Distance from the bit to the rock or to the bottom of its crater, in units of I0/Zr; valid only while
     /// they are apart.
     double distance;
-    /// Sums and extremes of the impact force so far.
+    /// Impulse, peak force and contact times so far.
     BitRecord record;
 
     /// Returns whether bit and rock are apart.
@@ -67,40 +67,45 @@ struct BitNodeState {
     }
 };
 
-/// Front end of the string, with or without the mass of a bit:
+/// Front end of the string, with or without the mass M of a bit:
 ///
 ///     M U'' + Z U' + F(U) = 2g,    b = g − Z U'        (M = 0: U' = (2g − F)/Z, b = F − g)
 ///
-/// g is the arriving wave, b the reflected wave, F the piecewise linear law of bit and rock with memory. A
-/// cell (time step) without a contact event is one product with a matrix. Other cells are solved from event
-/// to event and projected to cubics.
+/// U is the displacement of the bit, Z the impedance of the last section, g the arriving wave, and b the
+/// reflected wave. F is the piecewise linear law of bit and rock with memory. A cell (time step) without a
+/// contact event takes one product with a matrix. Other cells are solved from event to event and projected to
+/// cubics.
 class BitNode {
   public:
     BitNode() : BitNode(1, 0, {}, 0) {}
-    /// Creates the end of a section of this impedance, with a bit of this mass (0 for none), at the distance
-    /// `gap` from the rock. Units are the dimensionless ones of Problem (problem.h).
+    /// Creates the front end of a string whose last section has the given impedance, with a bit of this mass
+    /// (0 for none), at the distance `gap` from the rock. Units are the dimensionless ones of Problem
+    /// (problem.h).
     BitNode(double impedance, double mass, const BitRockLaw& law, double gap);
 
-    /// Sets the widths of the cells (time steps) that follow, in units of t0; step() refers to them by index.
+    /// Sets the widths of the cells (time steps) that follow, in units of t0; step() selects one of them by
+    /// its index.
     void setWidths(const std::vector<double>& widths);
 
-    /// Advances the bit by one cell (time step): computes the reflected wave b from the arriving wave g. The
-    /// cell has the width number `index` and begins at `time`, in units of t0. If `jump` then says that all
-    /// cells must be cut, nothing else is valid, and the step must be repeated after the cut.
+    /// Advances the bit by one cell (time step) and computes the reflected wave `b` from the arriving wave
+    /// `g`. `index` selects the width of the cell from those of setWidths(); `time` is its start in t0.
+    /// `jump` reports an event at which all cells should be divided. The caller then restores the earlier
+    /// state, divides the cells and repeats the step.
     void step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump);
-    /// State at a time within a cell (time step), and the reflected wave from the start of the cell to that
-    /// time.
+    /// State of bit and rock at a time within a cell (time step), and the reflected wave from the start of
+    /// the cell to that time.
     struct Part {
         BitNodeState state;
         WaveCell leaving;
     };
     /// Returns the state after the fraction `share` (0 … 1) of the next cell (time step), without advancing
-    /// the bit. g is the arriving wave, `index` the number of the cell's width, `time` its start in units of
-    /// t0.
+    /// the bit. g is the arriving wave. `index` selects the width of the cell from those of setWidths();
+    /// `time` is its start in t0.
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
-    /// Advances a bit without mass by one cell (time step) if it certainly stays away from the rock; the bit
-    /// then reflects −g. Returns false and changes nothing if the bit may touch the rock, or has a mass.
+    /// Advances a bit without mass by one cell (time step) if it certainly stays away from the rock. The bit
+    /// then reflects the arriving wave `g` as −g. Otherwise, or if the bit has a mass, returns false and
+    /// changes nothing. `index` selects the width of the cell from those of setWidths().
     bool flyStep(const WaveCell& g, std::size_t index) {
         return m_mass == 0 && m_now.isApart() && fly(g, m_maps[index].width);
     }
@@ -111,15 +116,17 @@ class BitNode {
     struct Turned {
         /// Growth of the residual penetration of the rock since the last blow, in units of I0/Zr.
         double penetration = 0;
-        /// Elastic energy lost because a compressed rock was replaced by new rock [I0²/(Zr t0)].
+        /// Elastic energy of compressed rock that is lost because new rock takes its place under the bit
+        /// [I0²/(Zr t0)].
         double lostEnergy = 0;
     };
-    /// Starts the record of the next blow, and returns the changes of the rock since the last one. With
-    /// `isFresh`, the bottom of the crater becomes the surface of new rock. A force that acts then continues
-    /// along the first loading line; on a straight line, F becomes γF.
+    /// Starts a new record (impulse, peak force, times) for the next blow, and returns how the rock has
+    /// changed since the previous one. With `isFresh`, the bit then acts on new rock with its surface at the
+    /// bottom of the crater. A force F that acts at this time continues along the first loading line; on rock
+    /// with one straight loading line it becomes γF.
     Turned beginCycle(bool isFresh);
-    /// Makes the record include force peaks below the largest force that the rock remembers; by default they
-    /// are left out.
+    /// Makes the record include force peaks during elastic reloading, which are below the largest force so
+    /// far on this rock. By default they are left out.
     void notePeaksOfCycles() { m_notesAllPeaks = true; }
     /// Sets the velocity of the bit mass, in units of F0/Zr, positive towards the rock.
     void setVelocity(double velocity) { m_now.velocity = velocity; }
@@ -128,30 +135,32 @@ class BitNode {
     double placeFromBottom() const {
         return m_now.isApart() ? -m_now.distance : m_now.law.elasticWay(m_now.force);
     }
-    /// Moves the bit to a position relative to the bottom of the crater (in I0/Zr, positive into the rock).
-    /// The rock then remembers `largestForce` (in F0).
+    /// Sets the state of rock and bit. The rock has been loaded up to `largestForce` [F0]; the bit is at
+    /// `placeFromBottom` [I0/Zr] from the bottom of the resulting crater, positive into the rock.
     void putAt(double placeFromBottom, double largestForce);
 
-    /// Returns the impact force over the last cell (time step), in units of F0.
+    /// Returns the impact force over the last computed cell (time step), in units of F0.
     const WaveCell& cellForce() const { return m_cellForce; }
 
     /// Returns the state of bit and rock after the last step.
     const BitNodeState& state() const { return m_now; }
-    /// Restores an earlier state of bit and rock, with its record.
+    /// Restores an earlier state of bit and rock, including impulse, peak force and times so far.
     void setState(const BitNodeState& state) { m_now = state; }
     /// Sets the list to which contact events are appended; nullptr for none.
     void setEvents(std::vector<ImpactEvent>* events) { m_events = events; }
     /// Returns the mass of the bit M/(Zr t0); 0 for none.
     double mass() const { return m_mass; }
-    /// Returns the rate at which the force approaches 2g on the elastic line of the law, in units of 1/t0; g
-    /// is the arriving wave. With a bit mass, it is the fastest rate of the oscillation.
+    /// Returns the rate [1/t0] at which the impact force approaches 2g on the elastic line (unloading and
+    /// reloading) of the bit–rock law; g is the arriving wave. With a bit mass, it is the fastest rate of the
+    /// oscillation.
     double fastestRate() const;
     /// Appends to `rates` all rate constants of the differential equations of bit and rock, in units of 1/t0.
     void addRates(std::vector<double>& rates) const;
-    /// Returns the number of stretches between events that were computed in cells (time steps) with contact
-    /// events, a measure of the work.
+    /// Returns the number of stretches between contact events computed so far, in cells (time steps) with
+    /// such events. It measures their work.
     long pieces() const { return m_pieces; }
-    /// Returns the reason why an event could not be located; empty if there was no such failure.
+    /// Returns the reason why the time of a contact event could not be found; empty if there was no such
+    /// failure.
     std::string_view failureReason() const { return m_failureReason; }
 
   private:
@@ -183,14 +192,14 @@ class BitNode {
     void touch(double time);
     double rateOn(ContactLine line) const { return m_now.law.slope(line) / m_impedance; }
 
-    /// Linear maps over a cell (time step) for the force on one loading line of the bit–rock law, for one
-    /// cell width.
+    /// Linear maps that advance force and velocity of the bit over one cell (time step) on one loading line
+    /// of the bit–rock law.
     struct LineMaps {
-        /// Index of the loading line for which the maps are, as in ContactLaw::loadingLine().
+        /// Index of the loading line to which the maps apply, as in ContactLaw::loadingLine().
         std::size_t line = 0;
-        /// Linear map of the force over a cell for a bit without mass (M = 0).
+        /// Linear map that gives the force of a bit without mass over one cell (time step).
         Relaxation free;
-        /// Linear map of velocity and force over a cell for a bit with mass (M > 0).
+        /// Linear map that gives velocity and force of a bit with mass over one cell (time step).
         Oscillation mass;
     };
     LineMaps mapsOfLine(double width) const;
@@ -198,23 +207,28 @@ class BitNode {
 
     struct CellMaps {
         double width = 0;
-        /// Linear maps for the loading line of the bit–rock law that is now in use, at first the first line.
+        /// Linear maps over one cell (time step) for the loading line of the bit–rock law that is now in use,
+        /// at first the first line.
         LineMaps loading;
-        /// Linear map of the force on the elastic line of the bit–rock law, for a bit without mass.
+        /// Linear map that gives the force of a bit without mass over one cell (time step) on the elastic
+        /// line of the bit–rock law.
         Relaxation elastic;
-        /// Linear map of the velocity of a bit with mass while bit and rock are apart.
+        /// Linear map that gives the velocity of a bit with mass over one cell (time step) while bit and rock
+        /// are apart.
         Relaxation apart;
-        /// Linear map of velocity and force on the elastic line of the bit–rock law, for a bit with mass.
+        /// Linear map that gives velocity and force of a bit with mass over one cell (time step) on the
+        /// elastic line of the bit–rock law.
         Oscillation elasticMass;
     };
 
     double m_impedance;
     double m_mass;
-    /// Factor 2/Z from an arriving wave to the velocity of a free end.
+    /// Factor 2/Z that turns an arriving wave into the velocity of a free bit; Z is the impedance of the last
+    /// section.
     double m_toSpeed;
     std::vector<CellMaps> m_maps;
-    /// Linear maps for the cell widths that were set before the last setWidths(), reused if a width occurs
-    /// again.
+    /// Linear maps over one cell (time step) for the widths that were set before the last setWidths(). They
+    /// are reused if a width occurs again.
     std::vector<CellMaps> m_mapsBefore;
     ContactLaw<double> m_untouched{BitRockLaw{}};
     /// Residual penetration at the start of the present blow, in units of I0/Zr.

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// Fineness of the parts of a cell (time step) after a wave front, where forces change fast.
+/// Rule that divides a cell (time step) into finer parts after a wave front, where forces change fast.
 struct Grading {
     /// Width of the first part after a wave front, times the fastest rate of the differential equations;
     /// dimensionless.
@@ -24,19 +24,21 @@ struct Grading {
 };
 
 /// Division of every cell (time step) into parts. If all round trips of the string are whole numbers of
-/// cells, a jump of a wave is at the same point of every cell; so all cells are cut at the same points.
+/// cells, a jump of a wave is at the same point of every cell. So all cells are divided at the same points.
 class CellCuts {
   public:
     CellCuts() = default;
-    /// Creates uncut cells (time steps) of the size `cell` [t0]; the arguments are those of begin().
+    /// Creates cells (time steps) of the size `cell` [t0], divided only after their start; the arguments are
+    /// those of begin().
     CellCuts(double cell, const std::vector<double>& rates, const Grading& grading) {
         begin(cell, rates, grading);
     }
-    /// Starts with uncut cells of the size `cell` [t0]. `rates` are the rate constants of the differential
-    /// equations [1/t0]. Together with `grading` they decide how finely a cell is divided after a wave front.
+    /// Starts with cells of the size `cell` [t0], divided only after their start, where a wave front is
+    /// assumed. `rates` are the rate constants of the differential equations [1/t0]. Together with `grading`
+    /// they decide how finely a cell is divided after a wave front.
     void begin(double cell, const std::vector<double>& rates, const Grading& grading);
 
-    /// Returns the number of parts of each cell (time step); 1 if cells are not cut.
+    /// Returns the number of parts of each cell (time step); 1 if cells are not divided.
     std::size_t count() const { return m_places.size(); }
     /// Returns the position in the cell at which each part begins, as a fraction of the cell: 0 = places()[0]
     /// < … < 1.
@@ -44,17 +46,18 @@ class CellCuts {
     /// Returns the width of each part of a cell (time step), in units of t0.
     const std::vector<double>& widths() const { return m_widths; }
 
-    /// Returns the time at which part number `step` starts, in units of t0. Parts are counted from the start
-    /// of a whole cell at the time 0; `step` and the time may be negative.
+    /// Returns the time at which a time step (part of a cell) starts, in units of t0. `step` counts the parts
+    /// of all cells from the cell that starts at the time 0, and may be negative.
     double clock(long step) const { return Walk(*this, step).clock(); }
-    /// Returns the width of part number `step`, in units of t0. Parts are counted through all cells (time
-    /// steps).
+    /// Returns the width of a time step (part of a cell), in units of t0. `step` counts the parts of all
+    /// cells from the cell that starts at the time 0, and may be negative.
     double width(long step) const { return Walk(*this, step).width(); }
 
-    /// Iterator over consecutive parts of cells; it avoids a division for each part.
+    /// Iterator over consecutive parts of cells (time steps), which gives the start and width of each part.
     class Walk {
       public:
-        /// Starts at part number `step`, counted from the start of a whole cell at the time 0.
+        /// Starts at the part with the number `step`, counted from the start of the cell (time step) at the
+        /// time 0.
         Walk(const CellCuts& cuts, long step) : m_cuts(cuts) {
             const long parts = static_cast<long>(cuts.count());
             m_cell = step >= 0 ? step / parts : -((parts - 1 - step) / parts);
@@ -62,11 +65,11 @@ class CellCuts {
         }
         /// Returns the index of the present part within its cell (time step), from 0.
         std::size_t part() const { return m_part; }
-        /// Returns the time at which the present part starts, in units of t0.
+        /// Returns the time at which the present part of a cell (time step) starts, in units of t0.
         double clock() const {
             return m_cuts.m_cell * (static_cast<double>(m_cell) + m_cuts.m_places[m_part]);
         }
-        /// Returns the width of the present part, in units of t0.
+        /// Returns the width of the present part of a cell (time step), in units of t0.
         double width() const { return m_cuts.m_widths[m_part]; }
         /// Advances to the next part of the cell (time step), or to the first part of the next cell.
         void next() {
@@ -81,26 +84,26 @@ class CellCuts {
         std::size_t m_part;
     };
 
-    /// Returns whether the maximum number of cuts, Grading::mostCuts, is reached.
+    /// Returns whether cells can be divided no further, because Grading::mostCuts or the maximum number of
+    /// parts is reached.
     bool isFull() const;
     /// Cuts every cell at `place` (a fraction of the cell), and divides the cell after it as finely as after
-    /// a wave front. Returns false and changes nothing if cells are cut there already, or if the maximum
-    /// number of cuts is reached.
+    /// a wave front. Returns false and changes nothing if cells are cut there already, or if isFull().
     bool cutAt(double place);
 
     /// Cuts every cell at `place` (a fraction of the cell), so that a part ends there. No wave bends there,
     /// so no finer parts are added.
     void endPartAt(double place);
 
-    /// Splits whole cells, given as consecutive parts of the coarser division `coarse`, into parts of this
-    /// division. `cells` starts with part number `first` of `coarse`; the result is written to `parts`. It
-    /// has count() entries for every coarse.count() entries of `cells`. This division must contain all cuts
-    /// of `coarse`.
+    /// Converts a wave from the coarser division `coarse` to this division, which must contain all points of
+    /// `coarse`. `cells` holds the wave over whole cells (time steps), as consecutive parts of `coarse`, from
+    /// its part number `first` on. `parts` receives count() entries for every coarse.count() entries of
+    /// `cells`.
     void recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
                std::span<WaveCell> parts) const;
 
-    /// Writes the mean of each whole cell (time step) to `means`. `parts` are consecutive parts from part
-    /// number `step` on, count() of them for each mean.
+    /// Writes the mean of a wave over each whole cell (time step) to `means`. `parts` holds the wave over
+    /// consecutive parts of cells, count() parts for each mean. `step` is the number of the first part.
     void meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const;
 
   private:
@@ -134,8 +137,9 @@ struct CellGrid {
 
 // Both functions write to the given grid and reuse its memory.
 
-/// Writes the largest cell that divides all round trips to 1e-9 of the longest one. Returns false if that
-/// cell would be smaller than `leastCell` [t0]; the content of `grid` is then invalid.
+/// Writes the largest time step (cell) of which all round trips are whole multiples, to 1e-9 of the longest
+/// one. Returns false if that step would be smaller than `leastCell` [t0]; the content of `grid` is then
+/// invalid.
 bool shareGrid(const std::vector<UniformSection>& sections, double leastCell, CellGrid& grid);
 
 /// Rounds all round trips to whole numbers of cells of the size `cell` [t0], at least one each, and writes

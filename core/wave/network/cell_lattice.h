@@ -19,39 +19,41 @@
 
 namespace drillwave {
 
-/// Computation of one blow in cells (time steps) with cubic waves. Every node (end of a section) has its own
-/// clock: on these clocks, waves towards the rock arrive at once, waves away from it a round trip later. A
-/// jump that a contact makes inside a cell cuts all cells at that point from then on. One blow after another
-/// can be computed in the same memory.
+/// Computation of one blow in cells (time steps) with a cubic polynomial for each wave. Every node (end of a
+/// section) has its own clock, delayed by the travel time from the hammer face. On these clocks, waves
+/// towards the rock arrive at once, waves away from it a round trip later. If a contact makes a wave jump
+/// inside a cell, all cells are divided at that point from then on. One blow after another can be computed in
+/// the same memory.
 class CellLattice {
   public:
-    /// Starts a blow at the first contact of hammer and string. The plan must outlive the blow. No further
-    /// cuts are made once about `mostRecut` cells (time steps) of the waves within the sections have been
-    /// cut.
+    /// Starts a blow at the time when hammer and string first touch. The plan must outlive the blow.
+    /// `mostRecut` limits the work of dividing time steps (cells) at jumps: no more are divided once about
+    /// this many stored cells were rewritten.
     void begin(const MarchPlan& plan, long mostRecut);
 
-    /// Computes the next block of `stepsOfBlock` steps. If the time of the census is in this block, it
-    /// receives the state of the nodes (ends of sections). Cells are cut where waves jump, unless the rest of
-    /// the blow would then take more than `spareWork` (cells × nodes). After a stop request the block is
-    /// unfinished.
+    /// Computes the next block of `stepsOfBlock` time steps. If the time of `census` is in this block, the
+    /// state of bit, hammer face and joints at that time is written to it. Time steps (cells) are divided
+    /// where waves jump, unless the rest of the blow would then take more than `spareWork` (time steps ×
+    /// nodes). After a stop request the block is unfinished.
     void takeBlock(StringCensus& census, double spareWork, const std::stop_token& stop);
-    /// Makes the computed block part of the past, so that takeBlock() computes the next one.
+    /// Moves on by one block: the waves of the computed block enter the sections, and takeBlock() then
+    /// computes the next block.
     void advance();
 
     // Functions for the last computed block
 
     /// Returns the present division of cells (time steps) into parts.
     const CellCuts& cuts() const { return m_cuts; }
-    /// Returns the number of time steps (parts of cells) before the block; it is the same on the clocks of
-    /// all nodes.
+    /// Returns the number of time steps (parts of cells) before the last computed block. It is the same on
+    /// the clocks of all nodes (ends of sections).
     long step() const { return m_step; }
-    /// Returns the clock reading at the start of the block, in units of t0; it is the same on the clocks of
-    /// all nodes.
+    /// Returns the clock reading at the start of the last computed block, in units of t0. It is the same on
+    /// the clocks of all nodes (ends of sections).
     double clock() const { return m_cuts.clock(m_step); }
-    /// Returns the waves towards the rock that enter a section at its rear end, in units of F0, one for each
-    /// step of the block.
+    /// Returns the waves towards the rock that enter a section at its rear end, in units of F0: one for each
+    /// time step of the block.
     const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
-    /// Returns the waves in a section that run away from the rock, in units of F0.
+    /// Returns the waves away from the rock inside a section, in units of F0, as a queue of time steps.
     const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }
     /// Returns the impact force at each time step of the current block, in units of F0; valid only if
     /// histories are requested.
@@ -66,15 +68,14 @@ class CellLattice {
     /// Returns the contact events of bit and rock so far; empty unless requested.
     const std::vector<ImpactEvent>& events() const { return m_events; }
 
-    /// Returns the factor e^−αL by which a section reduces the amplitude of a wave.
+    /// Returns the factor e^−αL by which a section reduces the amplitude of a wave over one transit.
     double passing(std::size_t section) const { return m_passing[section]; }
-    /// Returns the number of cells (time steps) of waves that are stored for all sections at one time.
+    /// Returns the number of cells (waves over one time step) that are stored for all sections at one time.
     double held() const;
-    /// Returns the work beyond the time steps themselves, in cells: for cells that were cut within sections,
-    /// and for cells with contact events.
+    /// Returns the extra work so far, in units of the work of one cell (time step): for dividing the waves
+    /// within sections, and for contact events.
     long work() const { return m_recut + workOfEvents(); }
-    /// Returns the work of cells (time steps) with contact events, in units of the work of a cell without
-    /// events.
+    /// Returns the work for contact events so far, in units of the work of a cell (time step) without events.
     long workOfEvents() const;
     /// Returns the reason why the computation failed; empty if it did not.
     std::string_view failureReason() const {
@@ -82,8 +83,8 @@ class CellLattice {
     }
 
   private:
-    /// State that a block of steps changes, of all nodes (ends of sections); the waves within sections are
-    /// not included.
+    /// State of all nodes (ends of sections) at the start of a block of time steps. It is kept to repeat the
+    /// block if cells are divided. The waves within sections are not included.
     struct Nodes {
         FaceNodeState face;
         BitNodeState bit;
@@ -93,7 +94,8 @@ class CellLattice {
     void keepNodes();
     void restoreNodes();
 
-    /// Jump of a wave that the contact at a node (end of a section) causes within a time step of the block.
+    /// Event at the hammer face or the bit within a time step, at which all cells (time steps) should be
+    /// divided.
     struct NodeJump {
         bool found = false;
         std::size_t node = 0, step = 0;
@@ -123,7 +125,7 @@ class CellLattice {
     const MarchPlan* m_plan = nullptr;
     /// Number of sections in use; m_lines and m_joints may be longer.
     std::size_t m_count = 0;
-    /// Factor e^−αL by which each section reduces the amplitude of a wave.
+    /// Factor e^−αL by which each section reduces the amplitude of a wave over one transit.
     std::vector<double> m_passing;
     CellCuts m_cuts;
     /// Joints of neighbouring sections: m_joints[j] is between the sections j and j + 1. The joint at the
@@ -133,15 +135,16 @@ class CellLattice {
     /// Prescribed force on the rear end of the first section; empty if a hammer strikes the string.
     std::optional<ForceNode> m_force;
     BitNode m_bit;
-    /// Waves that run away from the rock, for each section.
+    /// Waves away from the rock inside each section, as queues with the length of one round trip.
     std::vector<DelayLine<WaveCell>> m_lines;
-    /// Waves towards the rock over the block of time steps, for one section after the other.
+    /// Waves towards the rock that enter each section during the block: `stepsOfBlock` cells (time steps) for
+    /// one section after the other.
     std::vector<WaveCell> m_downs;
     /// Order of computation in a block: nodes (ends of sections) and the steps of each.
     std::vector<NodeTurn> m_turns;
     CutAt m_cutAt = CutAt::nothing;
-    /// Number of steps at the start of the block in which the hammer face, or the bit, may not request a cut
-    /// of the cells, because a cut was refused.
+    /// Number of leading time steps of the block in which events at the hammer face, or at the bit, no longer
+    /// divide the cells. They are set because a division there was refused.
     std::size_t m_faceTaken = 0, m_bitTaken = 0;
     long m_step = 0;
     std::vector<ImpactEvent> m_events;

@@ -14,16 +14,17 @@
 
 namespace drillwave {
 
-/// Integrals over time of one wave of a section: over the part that has left the section, and over the part
-/// that is in it.
+/// Integrals of a wave f over time, at one instant: over the part that has already left a section, and over
+/// the part inside it.
 struct LineSums {
-    /// ∫f dt [I0] and ∫f² dt [F0² t0] of the part of the wave f that has left the section, with the
-    /// amplitudes at its entry.
+    /// Integrals ∫f dt [I0] and ∫f² dt [F0² t0] over the part of the wave f that has already left the
+    /// section. f is taken where it entered, before attenuation.
     double passed = 0, passedSquare = 0;
-    /// ∫f dt [I0] and ∫f² dt [F0² t0] of the part of the wave f in the section, with the amplitudes at its
-    /// entry.
+    /// Integrals ∫f dt [I0] and ∫f² dt [F0² t0] over the part of the wave f that is inside the section. f is
+    /// taken where it entered, before attenuation.
     double entered = 0, enteredSquare = 0;
-    /// ∫f dt [I0] and ∫f² dt [F0² t0] of the part of the wave f in the section, with its present amplitudes.
+    /// Integrals ∫f dt [I0] and ∫f² dt [F0² t0] over the part of the wave f that is inside the section, with
+    /// its present, attenuated amplitude.
     double present = 0, presentSquare = 0;
 };
 
@@ -31,13 +32,15 @@ struct LineSums {
 /// added one by one.
 class LineCensus {
   public:
-    /// Creates the integrals of a wave in a section at the time `to`, on the clock where the wave enters. The
-    /// section then contains what entered since `from`. Over that time the logarithm of the amplitude
-    /// decreases by `decay`. Before the clock time 0 the wave had the constant value `before`.
+    /// Creates the integrals of a wave in a section at one instant. The clock where the wave enters then
+    /// reads `to`, and the section contains the wave that entered from `from` to `to` [t0]. `decay` is the
+    /// attenuation αL over one transit. `before` is the constant value of the wave before the clock reading
+    /// 0.
     LineCensus(double from, double to, double decay, double before);
 
     /// Returns whether cells (time steps of the wave) that enter the section from `start` to `end` contribute
-    /// to the integrals. Cells that have left the section contribute only if energy is lost.
+    /// to the integrals. Cells that have left the section count only if `losses` says that joints or sections
+    /// lose energy.
     bool concerns(double start, double end, bool losses) const {
         return start < m_to && (losses || end > m_from);
     }
@@ -57,11 +60,12 @@ class LineCensus {
             addAcross(cell, start, width);
         }
     }
-    /// Sets the exact part, up to the clock time `to` of the constructor, of the cell (time step) that begins
-    /// at `start`. It replaces the first part of that cell's cubic, which has the moments of the whole cell
-    /// only.
+    /// Sets the exact wave over the first part of the cell (time step) that begins at `start`, up to the
+    /// clock time `to` of the constructor. It is used instead of the cubic of that cell, whose moments are
+    /// exact only over the whole cell.
     void setEntered(const WaveCell& part, double start) { m_entered = {part, start}; }
-    /// Returns the integrals over the cells added so far, in units of I0 and F0² t0.
+    /// Returns the integrals ∫f dt [I0] and ∫f² dt [F0² t0] over all cells (time steps) of the wave f added
+    /// so far.
     const LineSums& sums() const { return m_sums; }
 
   private:
@@ -76,14 +80,14 @@ class LineCensus {
     std::optional<Entered> m_entered;
 };
 
-/// Motions and energies of the whole system at one time. Units are the dimensionless ones of Problem
-/// (problem.h): time t0, force F0, impulse I0 = F0 t0, energy I0²/(Zr t0).
+/// Momentum, energy and state of hammer, string and rock at one time. Units are the dimensionless ones of
+/// Problem (problem.h): time t0, force F0, impulse I0 = F0 t0, energy I0²/(Zr t0).
 struct CensusResult {
     /// Time to which all members of this state refer, in units of t0.
     double time = 0;
-    /// State of bit and rock.
+    /// State of bit and rock at `time`.
     BitNodeState bit = {};
-    /// State of the contact of hammer and string.
+    /// State of the contact between hammer and string at `time`.
     FaceNodeState face = {};
     /// Momentum [I0] and energy [I0²/(Zr t0)] of the hammer.
     double hammerMomentum = 0, hammerEnergy = 0;
@@ -97,11 +101,11 @@ struct CensusResult {
 
 // Sums over hammer and string at one time, taken while the blow is computed
 
-/// Clocks of the nodes (ends of sections). The clock of a node is late by the travel time of a wave from the
-/// hammer face to the node.
+/// Clocks of the nodes (ends of sections). The clock of a node reads the time minus the travel time of a wave
+/// from the hammer face to the node, which counts as negative inside the hammer.
 struct StringClocks {
-    /// Sets the clocks of a string. `transitTimes` are the one-way transit times of its sections, in units of
-    /// t0.
+    /// Sets the delays of all clocks. `transitTimes` are the one-way transit times of the sections, in units
+    /// of t0; the first `hammerSections` of them belong to the hammer.
     void begin(std::size_t hammerSections, const std::vector<double>& transitTimes);
 
     /// Delay of the clock of each node (end of a section): time = clock + delays[i], in units of t0. It is
@@ -120,32 +124,35 @@ struct StringClocks {
 /// every node (end of a section) has passed that time. One sum after another can be taken in the same memory.
 class StringCensus {
   public:
-    /// Starts a new sum of momentum and energy at the time `time`, in units of t0. `problem` and `clocks`
+    /// Starts a new sum of momentum and energy for the time `time`, in units of t0. `problem` and `clocks`
     /// must outlive it.
     void begin(const Problem& problem, const StringClocks& clocks, double time);
-    /// Returns whether a sum of momentum and energy is being taken, from begin() to finish(). All other
-    /// functions require this.
+    /// Returns whether begin() has started a sum that neither finish() nor abandon() has ended. All functions
+    /// except begin() and abandon() require this.
     bool isUnderWay() const { return m_isUnderWay; }
-    /// Ends the present sum without a result.
+    /// Ends the present sum of momentum and energy without a result.
     void abandon() { m_isUnderWay = false; }
 
-    /// Returns the time for which the sum is taken, in units of t0.
+    /// Returns the time for which momentum and energy are summed, in units of t0.
     double time() const { return m_result.time; }
-    /// Returns the clock reading, in units of t0, at which the sum is complete: all nodes (ends of sections)
-    /// have passed its time.
+    /// Returns the clock reading [t0] after which the sum is complete, because all nodes (ends of sections)
+    /// have passed its time. The clock of a node reads the time minus the delay of this node.
     double lastClock() const { return m_result.time - m_clocks->earliest(); }
-    /// Returns the reading of the clock of a node (end of a section) at the time of the sum, in units of t0.
+    /// Returns the clock reading of a node (end of a section) at the time for which momentum and energy are
+    /// summed, in units of t0.
     double clockOf(std::size_t node) const { return m_result.time - m_clocks->delays[node]; }
 
-    /// Returns the sums of the wave towards the rock that enters section `j` at its rear end.
+    /// Returns the integrals of the wave towards the rock in section `j`, to which its time steps are added.
+    /// The wave enters at the rear end.
     LineCensus& down(std::size_t j) { return m_down[j]; }
-    /// Returns the sums of the wave away from the rock that enters section `j` at its front end.
+    /// Returns the integrals of the wave away from the rock in section `j`, to which its time steps are
+    /// added. The wave enters at the front end.
     LineCensus& up(std::size_t j) { return m_up[j]; }
-    /// Sets the state of bit and rock at the time of the sum.
+    /// Sets the state of bit and rock at the time for which momentum and energy are summed.
     void setBit(const BitNodeState& bit) { m_result.bit = bit; }
-    /// Sets the state of the hammer face at the time of the sum.
+    /// Sets the state of the hammer face at the time for which momentum and energy are summed.
     void setFace(const FaceNodeState& face) { m_result.face = face; }
-    /// Sets the velocity of the mass after section `j`, in units of F0/Zr.
+    /// Sets the velocity of the lumped mass at the front end of section `j`, in units of F0/Zr.
     void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
 
     /// Returns the completed sums of momentum and energy, and ends them. Requires that the clocks have passed
@@ -161,9 +168,9 @@ class StringCensus {
     CensusResult m_result;
 };
 
-/// Returns the time t/t0 from which a string without losses cannot meet rock or hammer again. This assumes
-/// that it meets neither from the time of `census` to that time (strings §8). Returns nothing if that time is
-/// unknown.
+/// Returns the time t/t0 from which a string without losses certainly touches neither rock nor hammer again
+/// (strings §8). This assumes that it touches neither from the time of `census` to that time. Returns nullopt
+/// if that time is unknown.
 std::optional<double> restTime(const Problem& problem, const CensusResult& census);
 
 }  // namespace drillwave

@@ -15,8 +15,8 @@ namespace drillwave {
 template <class Cell>
 class DelayLine {
   public:
-    /// Restarts the queue with the length `delay` (in cells), in the same memory. The caller must write its
-    /// content by content(). At most `mostBlock` cells may be written before each advance().
+    /// Restarts the queue with a length of `delay` cells (time steps of a wave), in the same memory. The
+    /// caller must then fill content(). At most `mostBlock` cells may be written before each advance().
     void restart(std::size_t delay, std::size_t mostBlock) {
         m_mostBlock = mostBlock;
         m_delay = delay;
@@ -25,11 +25,12 @@ class DelayLine {
         if (m_cells.size() < room()) grow();
     }
 
-    /// Returns a pointer to the next cells that leave the section, the oldest first.
+    /// Returns a pointer to the cells (time steps of the wave) that leave the section next, the oldest first.
     const Cell* arriving() const { return m_cells.data() + m_at; }
-    /// Returns a pointer to the memory for the next cells that enter the section.
+    /// Returns a pointer to the memory for the next cells (time steps of the wave) that enter the section.
     Cell* leaving() { return m_cells.data() + m_at + m_delay; }
-    /// Returns a pointer to the last written cells that enter the section.
+    /// Returns a pointer to the cells (time steps of the wave) that enter the section, as they were last
+    /// written.
     const Cell* leaving() const { return m_cells.data() + m_at + m_delay; }
     /// Returns the length of the queue in cells (time steps): the round trip of the section.
     std::size_t delay() const { return m_delay; }
@@ -37,7 +38,7 @@ class DelayLine {
     std::span<const Cell> content() const { return {arriving(), m_delay}; }
     std::span<Cell> content() { return {m_cells.data() + m_at, m_delay}; }
 
-    /// Advances the queue by `block` cells, after as many have been written at leaving().
+    /// Advances the queue by `block` cells (time steps), after as many have been written at leaving().
     void advance(std::size_t block) {
         m_at += block;
         if (m_at <= m_last) return;

@@ -13,8 +13,8 @@
 
 namespace drillwave {
 
-/// Sums and first events of the contact force P of hammer and string, up to a time. Units are the
-/// dimensionless ones of Problem (problem.h).
+/// Impulse, work and first separation of the contact force P of hammer and string, up to a time. Units are
+/// the dimensionless ones of Problem (problem.h).
 struct FaceRecord {
     /// Impulse of the contact force, ∫P dt, in units of I0.
     double impulse = 0;
@@ -24,22 +24,22 @@ struct FaceRecord {
     double work = 0;
     /// Time t/t0 at which the contact force first fell to zero; negative if it did not.
     double firstRelease = -1;
-    /// Time t/t0 at which the faces first moved apart; negative if they did not.
+    /// Time t/t0 at which hammer and string first moved apart; negative if they did not.
     double firstSeparation = -1;
 };
 
-/// State of the contact of hammer and string at one time, with its record so far.
+/// State of the contact of hammer and string at one time, with impulse and first separation so far.
 struct FaceNodeState {
     /// Whether hammer and string are apart.
     bool apart = false;
-    /// Whether hammer and string have separated for good: true once they have parted and further strikes are
-    /// disabled.
+    /// Whether hammer and string have separated for good: true once they have separated and further strikes
+    /// are disabled.
     bool released = false;
     /// Gap between hammer and string, in units of I0/Zr; ≥ 0.
     double gap = 0;
     /// Contact force P/F0 of faces with a contact stiffness; not used for rigid faces.
     double force = 0;
-    /// Sums and first events of the contact force so far.
+    /// Impulse and first separation of the contact so far.
     FaceRecord record;
 };
 
@@ -50,11 +50,12 @@ struct FaceNodeState {
 class FaceNode {
   public:
     FaceNode() : FaceNode(1, 1, {}) {}
-    /// Creates the contact between sections of these impedances; `face` holds its stiffness and whether it
-    /// may close again.
+    /// Creates the contact between a hammer of `impedance1` and a string of `impedance2`. `face` holds its
+    /// stiffness and whether it may close again.
     FaceNode(double impedance1, double impedance2, const HammerFace& face);
 
-    /// Sets the widths of the cells (time steps) that follow, in units of t0; step() refers to them by index.
+    /// Sets the widths of the cells (time steps) that follow, in units of t0; step() selects one of them by
+    /// its index.
     void setWidths(const std::vector<double>& widths);
 
     /// Waves of one cell (time step) at the contact. The waves f1 (in the hammer) and b2 (in the string)
@@ -63,33 +64,35 @@ class FaceNode {
         const WaveCell &f1, &b2;
         WaveCell &b1, &f2;
     };
-    /// Advances the contact by one cell (time step), and writes the leaving waves. The cell has the width
-    /// number `index` and begins at `time`, in units of t0. If `jump` then says that all cells must be cut,
-    /// the step must be repeated after the cut.
+    /// Advances the contact by one cell (time step), and writes the leaving waves. `index` selects the width
+    /// of the cell from those of setWidths(); `time` is its start in t0. `jump` reports an event at which all
+    /// cells should be divided. The caller then restores the earlier state, divides the cells and repeats the
+    /// step.
     void step(const Waves& waves, int index, double time, CutAt cutAt, CellJump& jump);
-    /// State at a time within a cell (time step), and the leaving waves from the start of the cell to that
-    /// time.
+    /// State of the contact of hammer and string at a time within a cell (time step), and the leaving waves
+    /// from the start of the cell to that time.
     struct Part {
         FaceNodeState state;
         WaveCell f2, b1;
     };
     /// Returns the state after the fraction `share` (0 … 1) of the next cell (time step), without advancing
-    /// the contact. f1 and b2 are the arriving waves, `index` is the number of the cell's width, `time` its
-    /// start in units of t0.
+    /// the contact. f1 and b2 are the arriving waves. `index` selects the width of the cell from those of
+    /// setWidths(); `time` is its start in t0.
     Part partOfStep(const WaveCell& f1, const WaveCell& b2, int index, double share, double time) const;
 
     /// Returns the state of the contact after the last step.
     const FaceNodeState& state() const { return m_now; }
-    /// Restores an earlier state of the contact, with its record.
+    /// Restores an earlier state of the contact of hammer and string, including its impulse and times so far.
     void setState(const FaceNodeState& state) { m_now = state; }
-    /// Returns the contact stiffness κc = kc t0/Zr; nothing for rigid faces.
+    /// Returns the contact stiffness κc = kc t0/Zr; nullopt for rigid faces.
     std::optional<double> stiffness() const { return m_stiffness; }
     /// Returns the rate at which the contact force follows the waves, in units of 1/t0; 0 for rigid faces.
     double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
-    /// Returns the number of stretches between events that were computed in cells (time steps) with contact
-    /// events, a measure of the work.
+    /// Returns the number of stretches between contact events computed so far, in cells (time steps) with
+    /// such events. It measures their work.
     long pieces() const { return m_pieces; }
-    /// Returns the reason why an event could not be located; empty if there was no such failure.
+    /// Returns the reason why the time of a contact event could not be found; empty if there was no such
+    /// failure.
     std::string_view failureReason() const { return m_failureReason; }
 
   private:
@@ -106,9 +109,10 @@ class FaceNode {
     void separate(double time);
 
     double m_impedance1, m_impedance2;
-    /// Factors 2/Z1 and 2/Z2 from an arriving wave to the closing velocity of the faces.
+    /// Factors 2/Z1 and 2/Z2 that turn the waves arriving in hammer and string into the velocity at which the
+    /// faces approach.
     double m_of1, m_of2;
-    /// Combined impedance Z* = Z1 Z2/(Z1 + Z2).
+    /// Combined impedance Z* = Z1 Z2/(Z1 + Z2) of hammer (Z1) and string (Z2) at their contact.
     double m_common;
     std::optional<double> m_stiffness;
     bool m_restrike;
@@ -124,8 +128,9 @@ class FaceNode {
 
 // Prescribed force on the rear end of a string, which reflected waves do not change (strings §4)
 
-/// Rear end of a string of impedance Z under the prescribed force Fa: f = Fa − b, v = (f − b)/Z. After the
-/// end of the force, its state is that of a face from which the hammer has separated for ever.
+/// Rear end of a string of impedance Z under the prescribed force Fa. The wave b arrives, the wave f leaves:
+/// f = Fa − b, v = (f − b)/Z. After the end of the force, its state is that of a face from which the hammer
+/// has separated for ever.
 class ForceNode {
   public:
     /// Creates the rear end of a section of this impedance, on which the prescribed force `force` acts.
@@ -138,7 +143,7 @@ class ForceNode {
 
     /// Returns the state of the rear end, including impulse and work of the force so far.
     const FaceNodeState& state() const { return m_now; }
-    /// Restores an earlier state of the rear end, with its record.
+    /// Restores an earlier state of the rear end, including impulse and work of the force so far.
     void setState(const FaceNodeState& state) { m_now = state; }
 
   private:

@@ -21,16 +21,16 @@ struct FlightStart {
     double faceGap = 0;
     /// Distance between bit and rock, in units of I0/Zr.
     double bitDistance = 0;
-    /// Energies of hammer and string [I0²/(Zr t0)].
+    /// Energies of hammer and string at the start of the free flight [I0²/(Zr t0)].
     double hammerEnergy = 0, stringEnergy = 0;
     /// Whether hammer and string have separated for ever, so that their gap does not matter.
     bool released = false;
 };
 
-/// Check that hammer, string and rock stay apart, computed with the means of waves over each cell (time
-/// step). Steps of impedance transmit these means in the same way as the waves. The means give the exact
-/// positions of the ends after each cell. Within a cell, an end of a body of energy E comes no nearer than
-/// √(Δ E/Z) (inequality of Cauchy and Schwarz).
+/// Check that hammer, string and rock stay apart. It follows only the mean of each wave over each cell (time
+/// step), which is faster than following the waves. The means give the exact positions of the ends after each
+/// cell. Within a cell of the width Δ, an end of a body of energy E comes nearer by at most √(Δ E/Z)
+/// (inequality of Cauchy and Schwarz).
 class FreeFlight {
   public:
     /// Returns whether this check applies to the hammer and string of a problem: no section may have a mass,
@@ -41,15 +41,15 @@ class FreeFlight {
     /// within a cell (time step) of this size [t0], whatever the waves are.
     static bool isClear(const Problem& problem, double cell, const FlightStart& start);
 
-    /// Starts the check of a free flight, in the same memory. The caller must write the waves by waves()
-    /// before staysClear().
+    /// Starts the check whether hammer, string and rock stay apart during a free flight. Before staysClear(),
+    /// the caller must fill waves() of every section.
     void begin(const Problem& problem, const CellGrid& grid, const FlightStart& start);
-    /// Returns the waves in a section that run towards the hammer, as means over each cell (time step) of its
-    /// round trip, the oldest first.
+    /// Returns the wave towards the hammer in a section, for writing: one mean value [F0] for each cell (time
+    /// step) of a round trip, the oldest first.
     std::span<double> waves(std::size_t section) { return m_lines[section].content(); }
 
-    /// Computes the motion for at least `cells` cells (time steps). Returns false as soon as bodies may have
-    /// touched, or after a stop request.
+    /// Computes the free flight for at least `cells` cells (time steps). Returns false as soon as hammer and
+    /// string, or bit and rock, may have touched, or after a stop request.
     bool staysClear(double cells, const std::stop_token& stop);
     /// Returns the number of cells (time steps) that were computed since the start of the free flight.
     double gone() const { return m_gone; }
@@ -59,7 +59,8 @@ class FreeFlight {
         double face = 0, bit = 0;
     };
     static Margins margins(const Problem& problem, double cell, const FlightStart& start);
-    /// Number of cells (time steps) that one node (end of a section) computes before the next node.
+    /// Number of cells (time steps) in a block; a node (end of a section) computes up to so many before the
+    /// next node.
     static constexpr std::size_t block = 128;
 
     bool step(const NodeTurn& turn);
@@ -75,9 +76,11 @@ class FreeFlight {
     std::vector<double> m_impedances;
     /// Reflection coefficient of the joint at the rear end of each section, −1 … 1.
     std::vector<double> m_reflections;
-    /// Waves in the sections that run towards the hammer; there may be more entries than are used.
+    /// Waves towards the hammer inside each section, as queues of means over cells (time steps); there may be
+    /// more entries than sections.
     std::vector<DelayLine<double>> m_lines;
-    /// Waves towards the rock over a block of cells, for one section after the other.
+    /// Mean of the wave towards the rock in each cell (time step) of a block, for one section after the
+    /// other.
     std::vector<double> m_downs;
     std::vector<std::size_t> m_delays;
     std::vector<NodeTurn> m_turns;

@@ -12,13 +12,13 @@
 
 namespace drillwave {
 
-/// Joint of two sections with impedances Z1 and Z2. The waves f1 and b2 arrive, b1 and f2 leave. With a mass
-/// M:
+/// Joint of two sections with impedances Z1 (hammer side) and Z2. The waves f1 and b2 arrive, b1 and f2
+/// leave. With a lumped mass M of the velocity v:
 ///
 ///     M v' + (Z1 + Z2) v = 2(f1 − b2),   b1 = f1 − Z1 v,   f2 = b2 + Z2 v
 ///
-/// Without a mass: b1 = b2 + R(f1 − b2), f2 = f1 + R(f1 − b2), R = (Z2 − Z1)/(Z1 + Z2). A loss η reduces the
-/// amplitude of the transmitted wave on the far side by √(1 − η), in both directions.
+/// Without a mass: b1 = b2 + R(f1 − b2), f2 = f1 + R(f1 − b2), R = (Z2 − Z1)/(Z1 + Z2). With a loss η, both
+/// waves on the side of Z2 are multiplied by √(1 − η).
 class Joint {
   public:
     Joint() = default;
@@ -41,17 +41,17 @@ class Joint {
     }
 
     /// Computes the leaving waves b1 and f2 from the arriving waves f1 and b2 for the next `count` time
-    /// steps. The first of them is part number `part` of the `parts` parts of a cell. f1 = f2 and b2 = b1 are
-    /// allowed.
+    /// steps. The first of them is part number `part` of the `parts` parts of a cell. The results may
+    /// overwrite the input: f2 = f1 and b1 = b2 are allowed.
     void step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell* f2, std::size_t count,
               std::size_t part, std::size_t parts);
 
-    /// Returns the reflection coefficient R of the joint for a wave from the near side, −1 … 1.
+    /// Returns the reflection coefficient R of the joint for a wave from the hammer side, −1 … 1.
     double reflection() const { return m_reflection; }
     /// Returns the factor √(1 − η) by which the loss η of the joint reduces the amplitude of a transmitted
     /// wave.
     double passing() const { return m_passing; }
-    /// Returns the lumped mass M/(Zr t0); ≥ 0.
+    /// Returns the lumped mass of the joint, M/(Zr t0); ≥ 0.
     double mass() const { return m_mass; }
     /// Returns the rate at which the velocity of the mass follows the waves, in units of 1/t0; requires a
     /// mass.
@@ -60,8 +60,8 @@ class Joint {
     double velocity() const { return m_velocity; }
     /// Sets the velocity of the lumped mass, in units of F0/Zr, positive towards the rock.
     void setVelocity(double velocity) { m_velocity = velocity; }
-    /// Computes the leaving waves b1 and f2 for one time step (a cell or a part of one) of the given width
-    /// [t0]; requires a lumped mass.
+    /// Computes the leaving waves b1 and f2 from the arriving waves f1 and b2 over one time step (a cell or a
+    /// part of one) of the given width [t0]. Requires a lumped mass.
     void stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2);
 
   private:

@@ -20,16 +20,17 @@ namespace drillwave {
 struct NodeTurn {
     /// Index of the node: node j is the rear end of section j; the index after the last section is the bit.
     std::size_t node;
-    /// First time step within the block, and number of time steps.
+    /// Index of the first time step of this turn within the block, and number of time steps of the turn.
     std::size_t from, count;
     /// Returns the index of the time step after the last one of this turn.
     std::size_t behind() const { return from + count; }
     bool operator==(const NodeTurn&) const = default;
 };
 
-/// Writes the order in which the nodes compute a block of `block` steps into `turns`. A node needs the waves
-/// that the next node made a round trip earlier; `delays` are the round trips of the sections in steps, > 0.
-/// If a round trip is shorter than a block, both nodes take turns.
+/// Writes the order in which the nodes (ends of sections) compute a block of `block` time steps into `turns`.
+/// A node needs the waves that the next node made a round trip earlier; `delays` are the round trips of the
+/// sections in time steps, > 0. If a round trip is shorter than a block, both nodes take turns within the
+/// block.
 void planTurns(std::span<const std::size_t> delays, std::size_t block, std::vector<NodeTurn>& turns);
 
 /// Requested results of a blow on a drill string. The integrals over the blow are always computed.
@@ -38,25 +39,25 @@ struct NetworkWants {
     bool events = false;
     /// Whether the largest forces of every section are computed.
     bool forces = false;
-    /// Whether the reflections at joints are computed; requires `forces`.
+    /// Whether the energy reflected by each joint is computed; requires `forces`.
     bool reflections = false;
     /// Whether the largest forces may be left out if the work limit would otherwise be exceeded.
     bool forcesIfTheyFit = false;
     /// Whether the waves of every section are recorded over time.
     bool histories = false;
-    /// Kind of contact events at which all cells (time steps) are cut.
+    /// Kinds of contact events at which all cells (time steps) are divided.
     CutAt cutAt = CutAt::jumps;
-    /// Fineness of the parts of a cell (time step) after a cut: width of the first part, growth, maximum
-    /// number of cuts.
+    /// Rule that divides a cell (time step) into finer parts after a cut: width of the first part, growth of
+    /// the widths, maximum number of cuts.
     Grading grading{0.3, 1.5, 24};
     bool operator==(const NetworkWants&) const = default;
 };
 
 /// Estimated work of a computation that runs to its limit of time, without the work of contact events.
 struct ForeseenWork {
-    /// Work, in cells (time steps) times nodes (ends of sections).
+    /// Estimated work, in cells (time steps) times nodes (ends of sections).
     double work = 0;
-    /// Number of cells (time steps) of waves that are stored for all sections at one time.
+    /// Number of cells (waves over one time step) that are stored for all sections at one time.
     double held = 0;
 };
 
@@ -64,20 +65,21 @@ struct ForeseenWork {
 /// fit into a first-level cache.
 inline constexpr std::size_t stepsOfBlock = 64;
 
-/// Work to find the largest forces in one cell (time step), in units of the work to compute that cell
-/// otherwise.
+/// Work to compute one cell (time step) and the largest forces in it, as a multiple of the work without these
+/// forces.
 inline constexpr long workOfForces = 8;
 
-/// Plan for the computation of a blow. One plan after another can be made in the same memory; no memory for
-/// waves is used.
+/// Plan for the computation of a blow: sections in whole time steps (cells), division of the time steps, and
+/// estimated work. Making a plan takes no memory for waves. One plan after another can be made in the same
+/// memory.
 class MarchPlan {
   public:
-    /// Makes the plan for a blow. `grid` has the cell and the round trips of the sections; `wants` has the
-    /// requested results.
+    /// Plans the computation of a blow. `grid` gives the time step (cell) and the round trip of each section
+    /// in time steps; `wants` lists the requested results.
     void begin(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
 
-    /// Returns the problem as it is computed: round trips are rounded to whole cells (time steps), and the
-    /// last section of hammer and of string has no loss after it.
+    /// Returns the problem as it is computed: round trips are rounded to whole cells (time steps). The losses
+    /// given for the last section of the hammer and of the string are removed, because no joint follows.
     const Problem& problem() const { return m_problem; }
     /// Returns the number of sections of hammer and string.
     std::size_t sections() const { return m_problem.sections.size(); }
@@ -85,17 +87,18 @@ class MarchPlan {
     const CellGrid& grid() const { return m_grid; }
     /// Returns the requested results of the blow.
     const NetworkWants& wants() const { return m_wants; }
-    /// Returns the clocks of all nodes (ends of sections) and their delays.
+    /// Returns the delays of the clocks of all nodes (ends of sections). The clock of a node reads the time
+    /// minus its delay.
     const StringClocks& clocks() const { return m_clocks; }
     /// Returns the division of cells (time steps) into parts at the start of the blow.
     const CellCuts& cuts() const { return m_cuts; }
-    /// Returns whether joints or sections of the string lose energy.
+    /// Returns whether joints or sections of the string take energy from the waves.
     bool isLossy() const { return m_lossy; }
     /// Returns the latest time to which the blow is computed, in units of t0: the end time, the next blow, or
     /// 40 round trips after the end of the force.
     double limitTime() const;
-    /// Returns the estimated work of the blow, and the number of cells (time steps) of waves that must be
-    /// stored.
+    /// Returns the estimated work to compute the blow, and the number of cells (waves over one time step)
+    /// that it must store.
     const ForeseenWork& foreseen() const { return m_foreseen; }
 
   private:

@@ -16,10 +16,10 @@
 
 namespace drillwave {
 
-/// Computation of a blow in blocks of time steps, until it is proven that the string meets neither rock nor
-/// hammer again. One blow after another can be computed in the same memory. If only integrals are requested,
-/// a blow no larger than those before allocates nothing. The object cannot be moved, because its members
-/// point to each other.
+/// Computation of a blow in blocks of time steps, up to its time limit or the proof that the string touches
+/// neither rock nor hammer again. One blow after another can be computed in the same memory. If only
+/// integrals over the blow are requested, a blow no larger than earlier ones allocates no memory. The object
+/// cannot be moved, because its members point to each other.
 class NetworkMarch {
   public:
     NetworkMarch() = default;
@@ -32,8 +32,8 @@ class NetworkMarch {
     /// Returns the result of the blow that plan() has prepared. The work is limited to `mostCells`, in cells
     /// (time steps) times nodes (ends of sections); a blow that needs more is not solved.
     Impact run(long mostCells, const std::stop_token& stop);
-    /// Returns the number of cells (time steps) of waves that were stored for all sections at the end of the
-    /// blow.
+    /// Returns the number of cells (waves over one time step) that were stored for all sections at the end of
+    /// the blow.
     double held() const { return m_lattice.held(); }
 
   private:
@@ -55,12 +55,13 @@ class NetworkMarch {
     StringCensus m_census;
     FreeFlight m_flight;
     long m_cells = 0;
-    /// Work of checks of free flight, in cells (time steps) times nodes (ends of sections).
+    /// Work of all checks of free flight so far, in means of cells (time steps) times nodes (ends of
+    /// sections).
     double m_flown = 0;
-    /// Momentum, energy and state at a time when hammer, string and rock were apart; empty if they have
-    /// touched since.
+    /// Momentum, energy and state at the last time when hammer, string and rock were found to be apart; empty
+    /// if they have touched since.
     std::optional<CensusResult> m_free;
-    /// Clock reading up to which hammer, string and rock are known to stay apart, in units of t0.
+    /// Clock reading [t0] up to which hammer, string and rock certainly stay apart.
     double m_landing = 0;
 };
 

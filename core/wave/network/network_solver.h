@@ -15,11 +15,12 @@ namespace drillwave {
 
 /// Accuracy of the solution of a blow on a drill string.
 enum class NetworkAccuracy {
-    /// One run in which cells (time steps) are cut at jumps of waves only. The error is estimated from the
-    /// energy balance.
+    /// Only one run, in which cells (time steps) are divided at jumps of waves only. The error is estimated
+    /// from the energy balance.
     quick,
-    /// A second run in which cells (time steps) are cut at every bend of a wave. The error is estimated from
-    /// the difference between the runs. If the second run takes too much work, only the quick run is used.
+    /// Two runs: the quick one, and one in which cells (time steps) are divided at every bend of a wave. The
+    /// error is estimated from their difference. If the second run takes too much work, only the quick run is
+    /// used.
     sure,
 };
 
@@ -35,35 +36,35 @@ struct NetworkSettings {
     NetworkWants wants;
     /// Number of times that the default size of the cells (time steps) is halved; ≥ 0.
     int halvings = 0;
-    /// Maximum work of one run, in cells (time steps) times nodes (ends of sections).
+    /// Maximum work of one run, in time steps (cells) times nodes (ends of sections); a run that needs more
+    /// is stopped.
     long mostCells = mostNetworkCells;
     /// Whether the waves may come from a run with larger cells and rounded round trips, if those of the
     /// accurate run are too many to be kept.
     bool roundsForWaves = true;
 };
 
-/// Returns the reason why a problem cannot be solved by this method: losses inside the hammer, a bit mass
-/// that oscillates too fast, or a reference case without waves. Returns an empty text if it can be solved.
+/// Returns the reason why NetworkSolver cannot solve a problem: losses inside the hammer, a bit mass that
+/// oscillates too fast, or a reference case without waves. Returns an empty text if it can be solved.
 std::string_view networkRefusal(const Problem& problem);
 
-/// Writes the default cell (time step), a common divisor of all round trips, into `grid`. Returns false if no
-/// such cell is large enough.
+/// Writes the default time step (cell), a common divisor of all round trips, into `grid`. Returns false if no
+/// common divisor is large enough; round trips must then be rounded.
 bool usualGrid(const Problem& problem, CellGrid& grid);
 
-/// Returns the estimated error of efficiency and of other shares of the hammer energy E0, for a single run
-/// with cells (time steps). It is 20 times the relative error of the energy balance, at least 1e-13 (strings
-/// §11).
+/// Returns the estimated error of the efficiency and other shares of the hammer energy E0, from the result of
+/// one run. It is 20 times the relative error of the energy balance, but at least 1e-13 (strings §11).
 double balanceError(const Impact& impact);
 
-/// Solver for blows on drill strings, which reuses its memory from blow to blow. If only integrals are
-/// requested, a blow no larger than those before allocates nothing. Memory for a very long string is released
-/// afterwards. Each thread needs its own solver.
+/// Solver for blows on drill strings, which reuses its memory from blow to blow. If only integrals over the
+/// blow are requested, a blow no larger than earlier ones allocates nothing. Memory for a very long string is
+/// released afterwards. Each thread needs its own solver.
 ///
-/// If the waves of the accurate run are too many to be kept, they come from the quick run. Such values may be
-/// wrong by 1e-3 where a wave bends within a cell. If those are too many as well, they come from a run with
-/// rounded round trips (Impact::wavesDifference). Round trips without a common cell are rounded by up to
-/// Impact::rounding. The error is then estimated from a run with other cells. A blow that takes more work
-/// than permitted is not solved.
+/// If the waves of the accurate run take too much memory, those of the quick run are returned. They may be
+/// wrong by 1e-3 where a wave bends within a time step (cell). If those are too large as well, a run with
+/// larger time steps supplies the waves (Impact::wavesDifference). If no time step divides all round trips,
+/// they are rounded by up to Impact::rounding. The error is then estimated from runs with other time steps. A
+/// blow that takes more work than permitted is not solved.
 class NetworkSolver {
   public:
     NetworkSolver();
@@ -81,7 +82,8 @@ class NetworkSolver {
     std::unique_ptr<Workspace> m_workspace;
 };
 
-/// Returns the solution of a blow, computed with a NetworkSolver made for this call.
+/// Returns the solution of a blow on a drill string, computed with a temporary NetworkSolver. For many blows,
+/// keep a NetworkSolver.
 Impact solveNetwork(const Problem& problem, const NetworkSettings& settings,
                     const std::stop_token& stop = {});
 

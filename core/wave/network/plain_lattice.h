@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Result of a blow on a string whose waves are constant over each time step.
+/// Result of a blow on a drill string, computed with waves that are constant over each time step.
 struct PlainBlow {
     /// Whether the blow was computed to the end time.
     bool isSolved = false;
@@ -25,7 +25,7 @@ struct PlainBlow {
 
 /// Returns the solution of a blow with waves that are constant over each time step, and with events at ends
 /// of steps only. The error is proportional to the time step. It serves for comparison and shares no code
-/// with NetworkMarch. Requires an end time.
+/// with NetworkMarch. Requires problem.endTime.
 PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const std::stop_token& stop = {});
 
 }  // namespace drillwave

@@ -14,34 +14,37 @@ namespace drillwave {
 struct RelaxationPiece {
     /// Maximum number of terms of the Taylor series.
     static constexpr int capacity = 20;
-    /// Start of the part, as a fraction of the cell (time step), 0 … 1.
+    /// Start of this part of the cell (time step), as a fraction of the cell, 0 … 1.
     double from = 0;
     /// Width of the part, as a fraction of the cell (time step): u = from + width v, 0 ≤ v ≤ 1.
     double width = 1;
     /// Number of terms of the Taylor series, ≤ capacity.
     int count = 0;
-    /// Coefficients of the series, y = Σ c_k v^k.
+    /// Coefficients of the series y = Σ c_k v^k, where v is the fraction of the part, 0 ≤ v ≤ 1.
     std::array<double, capacity> c;
 
     /// Returns the solution y at v, a fraction of the part from 0 to 1.
     double value(double v) const { return polynomialValue(c.data(), count, v); }
 };
 
-/// Returns the coefficients of p(from + width v) as powers of v; `p` holds the coefficients of powers of u.
+/// Returns the coefficients of a polynomial p(u) for a new variable v with u = from + width v. `p` holds its
+/// coefficients of powers of u; the result holds those of powers of v.
 WaveCell::Powers seenFrom(const WaveCell::Powers& p, double from, double width);
 
-/// Returns the series for y' = rate (q − y) with the value `start` at `from`. It ends at `to`, or where it
-/// would become inaccurate. For large rates, after the initial layer, it is the slow solution q − q'/rate +
-/// …, which is exact for a cubic. `input` holds the powers of q over the cell; `rate` is per width of the
-/// cell. `from` and `to` are fractions of the cell.
+/// Returns the Taylor series of y for y' = rate (q − y) with y = `start` at the fraction `from` of the cell
+/// (time step). It ends at the fraction `to`, or earlier where it would become inaccurate. If `rate` is large
+/// and y already follows q, it is q − q'/rate + …, which is exact for a cubic q. `input` holds the
+/// coefficients of powers of q over the cell; `rate` is per width of the cell.
 RelaxationPiece relaxationPiece(const WaveCell::Powers& input, double rate, double start, double from,
                                 double to = 1);
 
-/// Solution of y' = rate (q − y) over a whole cell (time step) as a linear map, exact except for rounding.
+/// Linear map from the input q to the solution y of y' = rate (q − y) over a whole cell (time step), exact
+/// except for rounding.
 class Relaxation {
   public:
     Relaxation() = default;
-    /// Creates the map; `rate` > 0 is the rate times the width of the cell.
+    /// Creates the linear map for one cell (time step). `rate` > 0 is dimensionless: the rate times the width
+    /// of the cell.
     explicit Relaxation(double rate);
 
     /// Returns the solution y over the cell for the input q, both as Legendre coefficients. `y` is the value
@@ -81,8 +84,8 @@ struct OscillationRates {
     double mass;
     /// Stiffness κ of the present line of the rock law; > 0.
     double slope;
-    /// Returns the fastest rate at which the solution can change, in the inverse of the unit of time. It
-    /// limits the width for which the series converges fast.
+    /// Returns the fastest rate of the solution, max(Z/M, √(κ/M)), per unit of time. The Taylor series
+    /// converges fast over widths up to its inverse.
     double fastest() const;
 };
 
@@ -90,11 +93,13 @@ struct OscillationRates {
 struct OscillationPiece {
     /// Number of terms of the Taylor series of velocity and of force.
     static constexpr int capacity = 24;
-    /// Width of the part of the cell, in the unit of time of OscillationRates.
+    /// Width of the part of the cell (time step), in the unit of time of OscillationRates.
     double width = 1;
-    /// Coefficients c_k of the velocity, V = Σ c_k v^k.
+    /// Coefficients c_k of the bit velocity V = Σ c_k v^k, where v is the fraction of the part of the cell, 0
+    /// ≤ v ≤ 1.
     std::array<double, capacity> velocity;
-    /// Coefficients c_k of the force on the rock, F = Σ c_k v^k.
+    /// Coefficients c_k of the force on the rock, F = Σ c_k v^k, where v is the fraction of the part of the
+    /// cell, 0 ≤ v ≤ 1.
     std::array<double, capacity> force;
 
     /// Returns the velocity of the bit, positive towards the rock, at the fraction v of the part of the cell,
@@ -104,21 +109,23 @@ struct OscillationPiece {
     double forceAt(double v) const { return polynomialValue(force.data(), capacity, v); }
 };
 
-/// Returns the Taylor series that starts with the given `velocity` and `force`, over a part of the given
-/// width; width · rates.fastest() ≤ 1 is required. `g` holds the powers of the arriving wave over this part
-/// only.
+/// Returns the Taylor series of velocity and force of a bit with mass over a part of a cell (time step). It
+/// starts with the given `velocity` and `force`; width · rates.fastest() ≤ 1 is required. `g` holds the
+/// coefficients of powers of the arriving wave over this part only.
 OscillationPiece oscillationPiece(const OscillationRates& rates, const WaveCell::Powers& g, double width,
                                   double velocity, double force);
 
-/// Motion of a bit with mass on the rock over a whole cell (time step) as a linear map.
+/// Linear map from the arriving wave and the state at the start of a cell (time step) to velocity and force
+/// over the cell. It describes a bit with mass on the rock.
 class Oscillation {
   public:
     Oscillation() = default;
     /// Creates the map for a cell (time step) of this width, in the unit of time of `rates`.
     Oscillation(const OscillationRates& rates, double width);
 
-    /// Writes velocity and force over the cell for the arriving wave `g`, as Legendre coefficients.
-    /// `velocity` and `force` are the values at the start, and become those at the end.
+    /// Computes velocity and force of the bit over one cell (time step) from the arriving wave `g`, and
+    /// writes them to `velocities` and `forces`. `velocity` and `force` are the values at its start; they are
+    /// replaced by those at its end.
     void follow(const WaveCell& g, double& velocity, double& force, WaveCell& velocities,
                 WaveCell& forces) const;
 

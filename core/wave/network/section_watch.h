@@ -17,18 +17,18 @@ namespace drillwave {
 
 // Largest values of steps in a moving window
 
-/// Upper bounds of the wave in consecutive time steps, stored as maxima over blocks of steps and over blocks
-/// of blocks. Steps are whole numbers; the newest are added and the oldest dropped. A search enters a block
-/// only if its maximum is large enough.
+/// Upper bounds of a wave in consecutive time steps, stored as maxima over small blocks and over larger
+/// blocks of steps. New steps are added and old ones dropped. A search skips each block whose maximum is too
+/// small.
 class WindowMaxima {
   public:
-    /// Number of time steps in a smallest block, and number of blocks in a block of the next size.
+    /// Number of time steps in a smallest block, and number of blocks that form a block of the next size.
     static constexpr long smallest = 32, growth = 8;
 
     /// Returns the number of the first time step of the smallest block that contains `step`.
     static long blockStart(long step) { return smallest * blockOf(step, smallest); }
 
-    /// Clears all bounds, and prepares for windows of `window` time steps.
+    /// Clears all bounds, and prepares for searches over up to `window` time steps.
     void begin(long window);
     /// Adds the upper bound `value` for all time steps of the smallest block that contains `step`. One call
     /// for each block is enough.
@@ -36,10 +36,10 @@ class WindowMaxima {
     /// Removes the bounds of blocks that end before the time step `oldest`.
     void dropBefore(long oldest);
 
-    /// Calls `tell(step)` for the steps first ≤ step < behind that may have the wanted value, the newest
-    /// first. For each block, mayHold(largest, from, to) decides whether the block may contain it; the
-    /// arguments are the maximum of the block and its steps from ≤ step < to. Returns the number of blocks
-    /// examined.
+    /// Calls `tell(step)` for the time steps first ≤ step < behind in blocks that pass the test `mayHold`,
+    /// the newest first. mayHold(largest, from, to) receives the maximum of a block and its steps from ≤ step
+    /// < to. It returns whether the block may contain the value that is searched for. Returns the number of
+    /// blocks tested.
     template <class MayHold, class Tell>
     long search(long first, long behind, MayHold mayHold, Tell tell) const {
         if (m_levels.empty() || first >= behind) return 0;
@@ -55,7 +55,7 @@ class WindowMaxima {
         return step >= 0 ? step / size : -((size - 1 - step) / size);
     }
 
-    /// Maxima over blocks of one size; block number n begins with the time step n · size.
+    /// Maxima over blocks of time steps of one size; block number n begins with the time step n · size.
     struct Level {
         long size = smallest;
         long first = 0;  ///< number of the oldest stored block
@@ -85,46 +85,48 @@ class WindowMaxima {
 
 /// Properties of a section that the search for its largest forces needs.
 struct WatchedSection {
-    /// One-way transit time τ, in units of t0.
+    /// One-way transit time τ of a wave through the section, in units of t0.
     double transitTime = 0;
-    /// Attenuation αL over one transit; ≥ 0.
+    /// Attenuation αL of a wave over one transit of the section; ≥ 0.
     double decay = 0;
-    /// Time t/t0 at which the clock of the section's rear end reads zero.
+    /// Time t/t0 at which the clock of the section's rear end reads zero. Each end of a section has its own
+    /// clock.
     double startTime = 0;
 };
 
-/// Search for the largest compression and tension of a section during the computation of a blow. Two waves
-/// meet in a section exactly if they enter its two ends at times that differ by less than one transit. On the
-/// clocks of the ends, the wave away from the rock then enters no later, and at most a round trip before. So
-/// the largest force is a largest sum over a moving window. Bounds from the coefficients of the cells exclude
-/// almost all pairs; only blocks that may exceed the largest force so far are searched.
+/// Search for the largest compression and tension in one section while a blow is computed. The force is the
+/// sum of two opposite waves. They meet in the section if they enter its two ends less than one transit time
+/// apart. So each time step of one wave must be combined with those of the other within one round trip. Upper
+/// bounds exclude almost all pairs; only those that may exceed the largest force so far are examined.
 class SectionWatch {
   public:
-    /// Creates the search for the largest forces in a section.
+    /// Creates a search for the largest compression and tension in one section of hammer or string.
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
 
-    /// Adds waves of consecutive steps, from number `step` on. `downs` enter at the rear end, towards the
-    /// rock. `ups` enter at the front end: the waves of the previous round trip, oldest first, then one for
-    /// each of `downs`. Overlaps of waves after `lastTime` [t0] are ignored.
+    /// Adds the waves of consecutive time steps, of which the first has the number `step`, and searches the
+    /// largest forces among them. `downs` enter the section at its rear end. `ups` enter at its front end:
+    /// those of the previous round trip, oldest first, then one for each of `downs`. Forces after `lastTime`
+    /// [t0] are ignored.
     void add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step, const CellCuts& cuts,
              double lastTime);
-    /// Restarts the search at the start of a blow, or after cells (time steps) were cut. `window` holds the
-    /// waves that entered at the front end during the round trip before `step`.
+    /// Sets the waves that are in the section at the start of a blow, or after cells (time steps) were
+    /// divided. `window` holds those that entered at the front end during the round trip before `step`.
     void restart(std::span<const WaveCell> window, long step);
-    /// Sets the end of the blow as known so far, and the end of the time for residual waves, in units of t0.
-    /// Forces after the blow are recorded separately from those during the blow. If the end of the blow moves
-    /// to a later time, forces recorded before it count as during the blow.
+    /// Sets the end of the blow as known so far, and the time up to which residual waves (waves left after
+    /// the blow) are searched, in units of t0. Forces after the blow are recorded separately from those
+    /// during the blow. If the end of the blow moves to a later time, forces recorded before it count as
+    /// during the blow.
     void setEndOfBlow(double time, double lastAfter);
 
-    /// Returns the largest forces during and after the blow.
+    /// Returns the largest compression and tension in the section, during and after the blow.
     SectionForces forces() const {
         return {m_compression.during, m_tension.during, m_compression.after, m_tension.after};
     }
-    /// Returns the number of blocks and pairs of cells examined closely, a measure of the work. Close
-    /// examination is needed if attenuation makes the force depend on where the waves meet.
+    /// Returns the work of close examination so far, in blocks of time steps; a pair of time steps counts as
+    /// six blocks. It is needed in sections with attenuation, and at the borders of the searched time.
     long looked() const { return m_looked; }
-    /// Returns the number of cells of the wave towards the rock that were examined closely, for compression
-    /// and tension together.
+    /// Returns the number of cells (time steps) of the wave towards the rock that were examined closely, for
+    /// compression and tension together.
     long cellsLookedInto() const { return m_cells; }
 
   private:
@@ -133,21 +135,23 @@ class SectionWatch {
         explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
         SectionPeak during, after;
-        /// Largest force after the time for residual waves (setEndOfBlow()). It counts only if bit and rock
-        /// touch again, so that the end of the blow moves to a later time.
+        /// Largest force after the time `lastAfter` of setEndOfBlow(). It counts only if bit and rock touch
+        /// again, which moves the end of the blow to a later time.
         SectionPeak later;
-        /// Upper bounds of the wave away from the rock in the cells that are within the section.
+        /// Upper bounds of sign × wave away from the rock, for the time steps (cells) that are now inside the
+        /// section.
         WindowMaxima maxima;
     };
-    /// Cell of the wave towards the rock, and the cells of the wave away from it that meet that cell in the
-    /// section.
+    /// One cell (time step) of the wave towards the rock, with the cells of the opposite wave that it meets
+    /// within the section.
     struct Meeting;
 
-    /// Interval of time in which forces count, with the largest force found in it so far.
+    /// Interval of time, for example during the blow, with the largest force found in it so far.
     struct Span {
         SectionPeak& peak;
         double after, until;
-        /// Whether some of the waves considered meet before or after the interval.
+        /// Whether some of the waves considered meet before or after the interval, so that the time of each
+        /// meeting must be checked.
         bool hasEdge = false;
     };
 

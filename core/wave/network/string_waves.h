@@ -20,7 +20,7 @@ enum class TimeSide { before, after };
 
 /// Wave in a uniform piece of hammer or string, as seen at one position of the piece.
 struct WaveAtPlace {
-    /// Wave as it enters the piece of the string: one cubic for each time step.
+    /// Wave at the end where it enters the piece: one cubic polynomial for each time step.
     const std::vector<WaveCell>* cells;
     /// Value of the wave before its first recorded time step arrives, in units of F0.
     double first;
@@ -32,17 +32,18 @@ struct WaveAtPlace {
     /// Factor by which attenuation has reduced the wave's amplitude at this position; 0 … 1.
     double kept;
 
-    /// Returns the time t/t0 at which the beginning of the recorded wave, `cells`, arrives at this position.
+    /// Returns the time t/t0 at which the wave that entered the piece at the clock reading zero arrives at
+    /// this position.
     double zero() const { return rearTime + delay; }
 };
 
 /// Both waves of one uniform piece of hammer or string, where they enter the piece. The wave f towards the
-/// rock enters at the rear end, the wave b away from it at the front end. Each end has a clock that starts
-/// from zero.
+/// rock enters at the rear end, the wave b away from it at the front end. Each end has its own clock, given
+/// by `rearTime`.
 struct SectionWaves {
     /// Impedance of the uniform piece, ζ = Z/Zr with the reference impedance Zr.
     double impedance = 1;
-    /// One-way transit time τ of the uniform piece, in units of t0.
+    /// One-way transit time τ of this uniform piece of hammer or string, in units of t0.
     double transitTime = 1;
     /// Attenuation αL of a wave over one transit of the uniform piece; ≥ 0.
     double decay = 0;
@@ -63,15 +64,15 @@ struct SectionWaves {
 };
 
 /// Waves and motion of hammer and string over time. Units are those of Problem; times start with the first
-/// contact of hammer and string. Positions are given by the number of a section of the scenario, however many
-/// uniform pieces replace it, and by ξ, 0 at its rear end and 1 at its front end. Compression and motion
-/// towards the rock are positive. In every uniform piece:
+/// contact of hammer and string. A position is given by the number of a section of the scenario, and by ξ, 0
+/// at its rear end and 1 at its front end. Compression and motion towards the rock are positive. A section
+/// consists of one or several uniform pieces, and in each of them:
 ///
 ///     P(ξ, t) = f(t − ξτ) e^(−ξαL) + b(t − (1 − ξ)τ) e^(−(1 − ξ)αL),   v = (f − b)/ζ
 ///
-/// Over each cell (time step) a wave is a cubic. Its integrals are those of the computation; its values have
-/// an error of 1e-9 if cells were cut at every bend. A time within rounding of a jump is taken as that of the
-/// jump.
+/// Over each cell (time step) a wave is a cubic. Its integrals are those of the computation. Its values have
+/// an error of 1e-9 if cells were divided at every bend of a wave. A time within rounding of a jump is taken
+/// as that of the jump.
 class StringWaves {
   public:
     /// Approximate limit of the memory for waves, in bytes.
@@ -89,9 +90,9 @@ class StringWaves {
         m_pieces[piece].down.push_back(down);
         m_pieces[piece].up.push_back(up);
     }
-    /// Adds a time step of all clocks that starts at `clock` and has the given width, in units of t0.
-    /// `bitForce` is the impact force. `rearForce` is the force on the rear end of the first section, used if
-    /// it replaces a hammer. Negative clock times are before the blow.
+    /// Adds a time step that starts at the clock reading `clock` and has the given width, both in t0.
+    /// `bitForce` is the impact force over it. `rearForce` is the force on the rear end of the first section;
+    /// it is ignored if a hammer strikes the string. Negative clock readings are before the blow.
     void addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce);
     /// Adds a second force on the rear end of the string, that of a damper, over the time step that addStep()
     /// added last. It must be added for all steps or for none.
@@ -128,40 +129,43 @@ class StringWaves {
     /// Returns the uniform piece at the position ξ of a section, and the position in it. Where two pieces
     /// meet, the one towards the rock is taken.
     PiecePlace pieceAt(std::size_t section, double xi) const;
-    /// Returns the clock reading at the start of each recorded time step, in units of t0. It is the same for
-    /// all waves.
+    /// Returns the clock reading at the start of each recorded time step, in units of t0. Each end of a piece
+    /// has its own clock; the readings are the same for all waves.
     std::span<const double> clocks() const { return m_clocks; }
     /// Returns the width of each recorded time step, in units of t0. It is the same for all waves.
     std::span<const double> widths() const { return m_widths; }
-    /// Returns the force P/F0 at the position ξ of a section, compression positive.
+    /// Returns the force P/F0 at the time t [t0] at the position ξ of a section (0 rear end … 1 front end),
+    /// compression positive.
     double force(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
         return down(section, xi, t, side) + up(section, xi, t, side);
     }
-    /// Returns the particle velocity at the position ξ of a section, in units of F0/Zr, positive towards the
-    /// rock.
+    /// Returns the particle velocity at the time t [t0] at the position ξ of a section (0 rear end … 1 front
+    /// end). The unit is F0/Zr; motion towards the rock is positive.
     double velocity(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
         return (down(section, xi, t, side) - up(section, xi, t, side)) /
                m_pieces[pieceAt(section, xi).piece].impedance;
     }
-    /// Returns the wave towards the rock at the position ξ of a section and the time t, in units of F0,
-    /// compression positive.
+    /// Returns the wave towards the rock at the time t [t0] at the position ξ of a section (0 rear end … 1
+    /// front end). The unit is F0; compression is positive.
     double down(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
-    /// Returns the wave away from the rock at the position ξ of a section and the time t, in units of F0,
-    /// compression positive.
+    /// Returns the wave away from the rock at the time t [t0] at the position ξ of a section (0 rear end … 1
+    /// front end). The unit is F0; compression is positive.
     double up(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
-    /// Returns the impulse of the wave towards the rock at the position ξ of a section, in units of I0: its
-    /// integral from the first contact of hammer and string to the time t.
+    /// Returns the impulse of the wave towards the rock at the position ξ of a section (0 rear end … 1 front
+    /// end), in units of I0. It is the integral of the wave from the first contact of hammer and string to
+    /// the time t.
     double downImpulse(std::size_t section, double xi, double t) const;
-    /// Returns the impulse of the wave away from the rock at the position ξ of a section, in units of I0: its
-    /// integral from the first contact of hammer and string to the time t.
+    /// Returns the impulse of the wave away from the rock at the position ξ of a section (0 rear end … 1
+    /// front end), in units of I0. It is the integral of the wave from the first contact of hammer and string
+    /// to the time t.
     double upImpulse(std::size_t section, double xi, double t) const;
 
     /// Returns the momentum that rod or string would have at the time t if there were no rock, in units of
     /// I0.
     double given(double t) const { return m_momentum + m_faceForce.integral(t) + m_damperForce.integral(t); }
 
-    /// Returns increasing times from 0 to end(), in units of t0: both waves at the position are smooth
-    /// between neighbouring times. Times that differ only by rounding are merged.
+    /// Returns times from 0 to end() in increasing order, in units of t0. Between neighbouring times, both
+    /// waves at the position ξ of the section are smooth. Times that differ only by rounding are merged.
     std::vector<double> pieceTimes(std::size_t section, double xi) const;
 
     // Curves over the time t/t0 from 0 on; the three curves at the bit have the same pieces
@@ -192,12 +196,15 @@ class StringWaves {
     void makeCurves();
 
     std::vector<SectionWaves> m_pieces;
-    /// Index of the first piece of each section, and finally the number of pieces.
+    /// Index of the first uniform piece of each section of the scenario; the last entry is the number of
+    /// pieces.
     std::vector<std::size_t> m_firstPieces;
     std::size_t m_hammerPieces;
     /// Clock reading at the start of each time step, and width of each time step, in units of t0.
     std::vector<double> m_clocks, m_widths;
-    /// Forces at the bit and at the rear end over each step; kept until finish(), empty if not requested.
+    /// Impact force, force on the rear end of the string, and damper force over each time step, in units of
+    /// F0. finish() converts them to curves. The second is empty if a hammer strikes the string, the third if
+    /// there is no damper.
     std::vector<WaveCell> m_bitForces, m_rearForces, m_damperForces;
     double m_end = 0;
     double m_momentum = 0;
@@ -206,17 +213,19 @@ class StringWaves {
 
 // Largest forces at every position of hammer and string (strings §7)
 
-/// Returns the largest compression and tension at the position ξ of a section, with their times. They are
-/// given for the blow, up to `endOfBlow`, and for the residual waves from then up to `until` (all in units of
-/// t0). The result is exact for the recorded cubics. At a jump the values on both sides count, and where two
-/// jumps meet all four.
+/// Returns the largest compression and tension at the position ξ of a section (0 rear end … 1 front end),
+/// with their times. They are given for the blow, up to `endOfBlow`, and for the residual waves from then up
+/// to `until` (all in units of t0). The result is exact for the recorded cubics. At a jump of a wave, the
+/// values on both sides count; if both waves jump at once, all four combinations count.
 SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow,
                               double until = std::numeric_limits<double>::infinity());
 
-/// Largest forces of one section at positions in increasing order, including both ends.
+/// Largest forces at positions along one section, in order from its rear end to its front end, both ends
+/// included.
 using SectionEnvelope = std::vector<SectionForces>;
 
-/// Fineness and work limit for the largest forces along hammer and string.
+/// Number of positions along hammer and string for which stringEnvelope() computes the largest forces, and
+/// limit of its work.
 struct EnvelopeGrid {
     /// Approximate number of positions in hammer and string, distributed in proportion to transit time.
     int places = 400;
@@ -229,8 +238,8 @@ struct EnvelopeGrid {
 
 /// Returns the largest forces along every section, from the rear end of the hammer on. Requires recorded
 /// waves (impact.waves). If the largest forces of the sections are known (impact.sections), their positions
-/// are included. In a section that is one uniform piece they limit the result, because recorded waves may be
-/// less accurate. A stop request ends the work early; the remaining sections then have no positions.
+/// are included. In a section of one uniform piece, no returned force exceeds them, because recorded waves
+/// may be less accurate. A stop request ends the work early; the remaining sections then have no positions.
 std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::stop_token& stop = {},
                                             const EnvelopeGrid& grid = {});
 

@@ -9,15 +9,15 @@
 
 namespace drillwave {
 
-/// Wave over one cell (time step), as f(u) = Σ c_k P_k(2u − 1) for 0 ≤ u ≤ 1 with Legendre polynomials P_k.
-/// Its moments ∫f u^k du, k = 0 … 3, are those of the wave that it represents. The remainder of the wave is
-/// orthogonal to all cubics (strings §11).
+/// Cubic polynomial for a wave over one cell (time step): f(u) = Σ c_k P_k(2u − 1) for 0 ≤ u ≤ 1 with
+/// Legendre polynomials P_k. Its moments ∫f u^k du, k = 0 … 3, equal those of the exact wave (strings §11).
 struct WaveCell {
     /// Number of coefficients of a cubic polynomial.
     static constexpr int count = 4;
-    /// Coefficients of powers of u: p(u) = Σ p_k u^k.
+    /// Coefficients p_k of a cubic as powers of u, p(u) = Σ p_k u^k, with 0 ≤ u ≤ 1 over a cell (time step).
     using Powers = std::array<double, count>;
-    /// Coefficients c_k of the Legendre polynomials.
+    /// Coefficients c_k of the wave f(u) = Σ c_k P_k(2u − 1) over the cell (time step), with Legendre
+    /// polynomials P_k.
     std::array<double, count> c{};
 
     /// Returns a wave of the constant value `value` over the cell (time step).
@@ -117,7 +117,8 @@ struct WaveCell {
     }
 };
 
-/// Projection of a wave that is known in parts to the cubic with the same moments over a cell (time step).
+/// Computation of the cubic that has the same moments as a given wave over a cell (time step). The wave is
+/// given as functions on parts of the cell.
 class CellProjection {
   public:
     /// Adds a part of the wave: the function f(u) over from ≤ u ≤ to, which must be smooth there. A
@@ -135,7 +136,7 @@ class CellProjection {
             m_cell.c[3] += 7 * weighted * (2.5 * x * x - 1.5) * x;
         }
     }
-    /// Returns the cubic with the moments of the added parts.
+    /// Returns the cubic that has the same moments as all added parts together.
     const WaveCell& cell() const { return m_cell; }
 
   private:
@@ -144,16 +145,17 @@ class CellProjection {
 
 // Events inside a cell: rules for which of them cut the cells, and which are only rounding
 
-/// Safety margin to a possible contact event, as a multiple of the wave's variation over the cell (time
-/// step). If the distance to the event is larger, the cell is computed as a whole; its projection to a cubic
-/// changes the wave by less.
+/// Safety margin for deciding that a cell (time step) has no contact event, as a share of the wave's
+/// variation over the cell. If the event is farther away than this, the cell is computed as a whole. Its
+/// projection to a cubic changes the wave by less.
 inline constexpr double quietMargin = 1e-3;
 
-/// Product of rate and width of a cell (time step) above which a force rises too fast for one cubic.
+/// Product of the rate of a force and the width of a cell (time step) above which the force rises too fast
+/// for one cubic.
 inline constexpr double fastRise = 0.4;
 
-/// Maximum number of contact events at one time in a cell (time step). A state that is still undecided after
-/// so many events is assumed to stay as it is for the rest of the cell.
+/// Maximum number of contact events at the same instant within a cell (time step). After so many events, the
+/// contact is assumed to keep its state for the rest of the cell.
 inline constexpr int mostStanding = 4;
 
 /// Sets all coefficients with an absolute value of at most `rounding` to zero.
@@ -162,27 +164,29 @@ inline void dropRounding(double* c, int count, double rounding) {
         if (std::abs(c[k]) <= rounding) c[k] = 0;
 }
 
-/// Kind of contact events inside a cell (time step) at which all cells are cut.
+/// Kinds of contact events inside a cell (time step) at which all cells are divided, so that waves jump or
+/// bend only between parts.
 enum class CutAt {
-    /// No events: cells (time steps) are never cut.
+    /// No contact event divides the cells (time steps).
     nothing,
-    /// Contacts whose force rises too fast for one cubic over a cell (time step).
+    /// Cells (time steps) are divided at contacts after which a force rises too fast for one cubic over a
+    /// cell.
     jumps,
-    /// All events that bend a wave, so that waves are smooth in all cells (time steps).
+    /// Cells (time steps) are divided at all events that bend a wave, so that waves are smooth in every part.
     corners
 };
 
-/// First point in a cell (time step) at which all cells are to be cut.
+/// First event in a cell (time step) at which all cells are to be divided.
 struct CellJump {
-    /// Whether there is a point at which all cells (time steps) are to be cut.
+    /// Whether an event was found at which all cells (time steps) are to be divided.
     bool found = false;
-    /// Point at which the cells (time steps) are to be cut, as a fraction of a cell from its beginning, 0
+    /// Point at which all cells (time steps) are to be divided, as a fraction of a cell from its beginning, 0
     /// … 1.
     double place = 0;
 
-    /// Records an event at the fraction `at` of the cell (time step) as the point to cut. It is ignored if
-    /// `cutAt` excludes its kind, if an earlier event is recorded, or at an end of the cell. `isJump` says
-    /// that the force rises too fast for a cell.
+    /// Requests that all cells (time steps) be divided at the fraction `at`, where an event happens. `isJump`
+    /// says that the force then rises too fast for one cubic. The request is ignored if `cutAt` excludes this
+    /// kind of event, if an earlier event is recorded, or at an end of the cell.
     void offer(CutAt cutAt, bool isJump, double at) {
         constexpr double nearest = 1e-9;  // nearer to its ends a cell is not cut
         if (found || at <= nearest || at >= 1 - nearest) return;

@@ -14,31 +14,32 @@
 
 namespace drillwave {
 
-/// Recorder of the requested results of a blow, to which the computed blocks of time steps are added. If only
-/// integrals over the blow are requested, it does nothing. One blow after another can be recorded.
+/// Recorder of the largest forces, joint reflections and waves of a blow, as far as they are requested. It
+/// reads each block of time steps that CellLattice has computed. One blow after another can be recorded.
 class WaveRecorder {
   public:
-    /// Starts the recording of a blow. `plan` and `lattice` must outlive the blow.
+    /// Starts the recording of a blow. `plan` and `lattice` must exist until finish().
     void begin(const MarchPlan& plan, const CellLattice& lattice);
 
-    /// Records the block of time steps that the lattice has computed last. The recording of waves stops when
-    /// they are too many to be kept.
+    /// Records the block of time steps that the lattice has computed last. If the waves become too many to be
+    /// kept, they are discarded.
     void add(const std::stop_token& stop);
-    /// Discards the waves of a blow that could not be solved.
+    /// Discards the recorded waves, because the blow could not be solved.
     void abandon() { m_waves.reset(); }
-    /// Writes the results into `impact`. Requires that the blow has been computed up to `time`, in units of
-    /// t0.
+    /// Writes the recorded forces, reflections and waves into `impact`. Requires that the blow has been
+    /// computed up to `time`, in units of t0.
     void finish(double time, Impact& impact);
 
     /// Returns the additional work for the largest forces, in units of the work of a cell (time step).
     /// `cells` is the work done so far without it, in cells times nodes (ends of sections).
     long workForForces(long cells) const;
-    /// Discards the largest forces, because they take too much work.
+    /// Discards the largest forces found so far and stops their search, because it takes too much work.
     void leaveOutForces();
-    /// Returns whether the largest forces are requested and not discarded.
+    /// Returns whether the largest forces are being recorded: they were requested, and leaveOutForces() was
+    /// not called.
     bool hasForces() const { return m_hasForces; }
-    /// Returns the time t/t0 to which the waves should be computed, as known so far: one round trip of the
-    /// string after the end of the blow if the largest forces are requested.
+    /// Returns the time t/t0 to which the largest forces are searched: one round trip of the string after the
+    /// end of the blow. Returns 0 if they are not requested, or if the blow has not ended yet.
     double wantedTime() const;
 
   private:
@@ -56,9 +57,10 @@ class WaveRecorder {
     std::size_t m_parts = 0;
     double m_stringTransit = 0, m_endOfBlow = 0;
     std::vector<SectionWatch> m_watches;
-    /// Copies of the joints on which only waves from the hammer act, to measure what each joint reflects.
+    /// Copies of the joints that receive only waves from the hammer side, to measure what each joint
+    /// reflects.
     std::vector<Joint> m_alone;
-    /// Energy integral ∫b1² dt of the waves that each joint in m_alone reflects, in units of F0² t0.
+    /// Energy integral ∫b1² dt of the waves b1 that each joint in m_alone reflects, in units of F0² t0.
     std::vector<double> m_reflected;
     std::shared_ptr<StringWaves> m_waves;
 };
