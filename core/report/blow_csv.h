@@ -13,9 +13,9 @@
 
 namespace drillwave {
 
-/// Returns the program version and a scenario file as comment lines that begin with "# ". Without this
-/// prefix, the lines are a valid scenario file. In that file, the lines for the version, the method and the
-/// meaning of the columns are comments (see ResultRemarks).
+/// Returns comment lines for the top of a CSV file. They have the prefix "# " and contain program version,
+/// method, meaning of the columns and the scenario file. Without the prefix they are a valid scenario file,
+/// in which the first three are still comments (see ResultRemarks).
 std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method = {},
                            std::string_view columns = {});
 
@@ -26,25 +26,26 @@ std::string scenarioFromHeader(std::string_view csv);
 /// Returns the histories of a blow as CSV. Requires Impact::hasHistories(). Values are positive towards the
 /// rock; normal forces and waves are positive in tension.
 /// For a uniform rod the columns are time, impact_force, impulse, momentum, incident_wave, penetration and
-/// front_velocity at the bit. They run from the arrival of the first wave to the end of the recording.
-/// Momentum is that of the rod. Penetration is measured from the original surface of the rock, negative above
-/// it.
-/// For a drill string they run from the first contact to the end of the blow, without the incident wave.
-/// Further columns are the face_force between hammer and string, and normal_force, positive_wave,
+/// front_velocity at the bit. The histories run from the arrival of the first wave to the end of the
+/// recording. Momentum is that of the rod. Penetration is measured from the original surface of the rock,
+/// negative above it.
+/// For a drill string the histories run from the first contact to the end of the blow, without the incident
+/// wave. Further columns are the face_force between hammer and string, and normal_force, positive_wave,
 /// negative_wave and velocity at `place`. Momentum is that transferred by the hammer to the string, minus the
 /// impulse on the rock.
 /// A time occurs twice where a curve jumps. Dimensionless forces are in F0, times in t0, lengths in d0,
 /// velocities in d0/t0; for strings velocities are in v0.
 std::string historiesCsv(const Blow& blow, const StringPlace& place, OutputUnits units);
 
-/// Returns one line for the header of the file that states the signs and units of the columns of
-/// historiesCsv() and the position `place`.
+/// Returns one line for the header of the CSV file of historiesCsv(). It states the signs and units of the
+/// columns and the position `place`.
 std::string historyColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units);
 
-/// Returns the events of a blow as CSV, with the columns kind and time.
+/// Returns the events at the bit, such as contact and separation, as CSV with the columns kind and time.
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales);
 
-/// Returns the name of an event at the bit: "contact", "unloading", "primary_loading" or "separation".
+/// Returns the name of an event at the bit: "contact", "unloading", "primary_loading", "separation" or
+/// "corner".
 std::string_view name(ContactEvent event);
 
 }  // namespace drillwave

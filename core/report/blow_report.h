@@ -24,7 +24,7 @@ struct ReportInput {
     std::optional<double> si;               ///< value in SI units; empty if it is not a number
     Message source;                         ///< source of the value, never empty, such as "assumed typical"
     std::optional<Quantity> quantity = {};  ///< quantity of the value in the form that the scenario uses
-    /// Word for people that describes a pulse shape or a rock law; empty for other values.
+    /// Name for people of a pulse shape or a rock law; empty for inputs that are numbers.
     Message word = {};
     bool operator==(const ReportInput&) const = default;
 };
@@ -71,7 +71,8 @@ struct BlowReport {
     std::vector<ReportSection> sections;      ///< sections of hammer and string; empty for a uniform rod
     /// Study of all gaps; empty if e does not depend on the gap or is not known for all gaps.
     std::optional<GapStudy> gap;
-    /// Sentence that says why `gap` is empty; empty if it is not, and for a drill string.
+    /// Reason, as a sentence, why the report has no study of all gaps (`gap`). Empty if it has one, and for a
+    /// drill string.
     Message gapProblem;
     /// Report of the required feed force, including a curve along a parameter; empty without a blow
     /// frequency.
@@ -81,10 +82,11 @@ struct BlowReport {
     ReportStudies studies = {};
 };
 
-/// Returns the report of a valid scenario, without scenarioText, inputs and sections. Solves the blow and,
-/// unless that exceeds mostPiecesInPassing wave pieces, studies the gap and the blow frequency. A drill
-/// string has no study of the gap. If the blow is not solved within `limits`, the report contains nothing
-/// else. After a stop request the blow is unsolved or the studies are missing.
+/// Returns the report of a valid scenario, without scenarioText, inputs and sections. Solves the blow and
+/// studies all gaps and the required feed force over the blow frequency. Studies that exceed
+/// mostPiecesInPassing wave pieces are omitted; a drill string has no study of the gaps. If the blow is not
+/// solved within `limits`, the report contains nothing else. After a stop request the blow is unsolved or the
+/// studies are missing.
 BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop = {},
                        const GapProgress& progress = {}, const WorkLimits& limits = {});
 

@@ -24,7 +24,8 @@ std::string familyText(const SweepAxis& family, double value, const ReadingStyle
 std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle& style = plainStyle());
 
 /// Returns the report as text. For each curve (one value of the family) and each output it lists where the
-/// goal is reached, a table of features, and the ranges that are known only at grid points or have no result.
+/// goal is reached, then a table of features. Ranges that are known only at single points or have no result
+/// follow.
 std::string curveText(const CurveReport& report, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -7,19 +7,19 @@
 
 namespace drillwave {
 
-/// Indices of the panels of designFigure(). Panels without data are hidden. The study's table has one row for
-/// each design.
+/// Indices of the panels of designFigure(). Panels without data are hidden. Points of the panels refer to
+/// rows of the study's table, which has one row for each design.
 enum class DesignPanel {
-    /// First objective over the last design variable, with a band from the 5 % to the 95 % quantile for the
-    /// best design. For two design variables with numeric ranges and at least 4 and 2 values, colours over
-    /// both variables instead.
+    /// First objective over the last design variable, one curve for each combination of the others. The curve
+    /// with the best design has a band from the 5 % to the 95 % quantile. For two design variables with
+    /// numeric ranges and at least 4 and 2 values, there are colours over both variables instead.
     objective,
     tradeOff,  ///< second objective over the first objective
     causes,    ///< Sobol indices: share of the scatter of each output caused by each uncertain input
 };
 
-/// Selection of marks in the panel of the objective. The window uses `withoutPresent` and draws the present
-/// design itself, because it changes while the user edits the form.
+/// Selection of the marks in DesignPanel::objective. With `withoutPresent` the present design has no mark:
+/// the window draws it itself, because it changes while the user edits the form.
 enum class DesignMarks { all, withoutPresent };
 
 /// Returns the figure of a design study. Requires a report with a best design.

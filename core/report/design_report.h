@@ -45,9 +45,9 @@ TextGrid designsGrid(const DesignReport& report, const ReadingStyle& style = pla
 /// dimensionless.
 std::string designJson(const DesignReport& report);
 
-/// Returns one CSV row for each design; paretoCsv() returns only those of the Pareto set. The columns of the
-/// design variables, and of the parameter that keeps the energy constant, are sufficient to set up a design
-/// again.
+/// Returns one CSV row for each design; paretoCsv() returns only those of the Pareto set. To set a design in
+/// a scenario again, the columns of the design variables and of the parameter that keeps the energy constant
+/// are sufficient.
 std::string designsCsv(const DesignReport& report);
 std::string paretoCsv(const DesignReport& report);
 /// Returns the Sobol indices as CSV, one row for each output and uncertain input.

@@ -14,9 +14,8 @@
 
 namespace drillwave {
 
-/// Names of designs, objectives and numbers in the sentences of a design study. This class uses the keys of
-/// the command line, with numbers and units of a reading style. The window overrides it with the names of its
-/// rows and axes.
+/// Names of designs, objectives and numbers for the sentences about a design study. This class gives them as
+/// on the command line, with numbers in a reading style. The window overrides it with the names in its form.
 class DesignNames {
   public:
     /// Stores references to both arguments, which must outlive this object.
@@ -66,9 +65,10 @@ enum class DesignHeadline {
 };
 /// Returns the name as in JSON: "keep", "change", "no_difference" or "none_feasible".
 std::string_view name(DesignHeadline headline);
-/// Returns the result in one word; empty for a study without design variables.
+/// Returns the result of a design study in one word; empty with fewer than two designs.
 std::optional<DesignHeadline> headlineOf(const DesignReport& report);
-/// Returns the result as a sentence; empty for a study without design variables.
+/// Returns the result of a design study as a sentence, such as "Keep the present design, …". Empty with fewer
+/// than two designs, and if no design satisfies the limits.
 Message designAnswerMessage(const DesignReport& report, const DesignNames& names);
 /// Returns the first warning about the recommended design, followed by the number of further ones; empty
 /// without warnings.
@@ -78,20 +78,20 @@ Message designWarning(const DesignReport& report, const DesignNames& names);
 Message headlineMessage(const DesignReport& report, const DesignNames& names);
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
-/// Returns the marks of a design (index from 0): "best_uncertain", "best_nominal", "equal" if several are
-/// equally good, "present". `present` must be the index from presentDesign().
+/// Returns the marks of a design (index from 0): "best_uncertain", "best_nominal", "equal" (one of several
+/// equally good designs) and "present". `present` must be the index from presentDesign().
 std::vector<std::string_view> marksOf(const DesignReport& report, std::size_t design,
                                       std::optional<std::size_t> present);
 
 /// Returns whether a study has enough samples for its Sobol indices to be meaningful.
 bool carriesShares(const DesignStudy& study);
 
-/// Returns the uncertain input that is most worth measuring: the one with the largest total Sobol index for
-/// an objective's output. Both `aimed` and the result are indices as in Sensitivity. Empty if the index is
-/// too uncertain or there is only one input.
+/// Returns which uncertain input is most worth measuring: the one with the largest total Sobol index for an
+/// output (index `aimed` in DesignFindings::aimed). The result is an index in OutputSensitivity::indices.
+/// Empty if the index is too uncertain or there is only one input.
 std::optional<std::size_t> firstToMeasure(const DesignReport& report, std::size_t aimed);
 
-/// Returns the statistic of an objective for a design (index from 0).
+/// Returns the value of an objective for a design (index from 0), such as the 5 % quantile of the efficiency.
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design);
 
 /// Returns the value of an objective for a design as text, with its error if it has one, such as "0.712 +-
@@ -99,7 +99,8 @@ const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim,
 std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
                            const ReadingStyle& style = plainStyle());
 
-/// Returns a statistic of an objective in words, such as "reached in 95 % of cases" for `sense` largest.
+/// Returns a statistic of an objective in words. Example: the 5 % quantile is "reached in 95 % of cases" if
+/// `sense` is largest.
 Message statisticMessage(const Statistic& statistic, Sense sense);
 
 /// Returns the name of an objective for tables, such as "thrust q95".
@@ -114,8 +115,8 @@ std::string designName(const DesignStudy& study, std::uint64_t design,
 std::string outputText(const DesignStudy& study, const Output& output, double value,
                        const ReadingStyle& style = plainStyle(), int digits = 5);
 
-/// Returns one line per limit with the value closest to the limit among all designs. Returns no lines if any
-/// design satisfies all limits.
+/// Returns one line per limit of a design study: the value closest to the limit among all designs, and the
+/// design that has it. Used if no design satisfies all limits.
 std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
                                      const ReadingStyle& style = plainStyle());
 

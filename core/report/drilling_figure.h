@@ -29,7 +29,8 @@ struct ShownScan {
     bool isOld = false;
 };
 
-/// Indices of the panels of drillingFigure(). Panels without data are hidden.
+/// Indices of the panels of drillingFigure(). Panels without data are hidden. `phase` shows how gap/d0 is
+/// distributed between whole numbers, `returns` each gap over the one before.
 enum class DrillingPanel { rate, penetration, gap, scannedGap, phase, returns, energy };
 
 /// Returns the figure of a sequence of blows, of a scan of sequences, or of both; nullptr omits one of them.

@@ -28,7 +28,8 @@ struct DrillingReport {
     std::string scenarioText;
 };
 
-/// Units of one kind of quantity in a sequence of blows.
+/// Values in SI of the units for one kind of quantity, such as lengths, in the results of a sequence of
+/// blows.
 struct DrillingScale {
     Quantity quantity = Quantity::ratio;
     double si = 1;        ///< SI value of the unit that Problem uses
@@ -38,11 +39,11 @@ struct DrillingScale {
         return units == OutputUnits::si ? ofProblem * si : ofProblem * si / multiple;
     }
 };
-/// Returns the units of a kind of quantity for a result.
+/// Returns the units of one kind of quantity, such as lengths, for the result of a sequence of blows.
 DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result);
 
-/// Returns a spread or an error for text, in the dimensionless units of Problem; 0 if it is so small that it
-/// is only rounding.
+/// Returns a spread or an error for text, in the dimensionless units of Problem; 0 below 1e-9, which is only
+/// rounding.
 double withoutRounding(double spread);
 
 /// Returns sentences on the required feed force, then on the results of the sequence.
@@ -54,15 +55,15 @@ std::vector<Message> drillingSentences(const DrillingReport& report,
 Message motionWords(const DrillingResult& result);
 /// Returns the Lyapunov exponent λ with its name and error; empty if it was not computed.
 Message exponentWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
-/// Returns motionWords() and exponentWords() as one text. Requires statistics.
+/// Returns one text that states whether the motion repeats, and the Lyapunov exponent. Requires statistics.
 Message regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units);
-/// Returns the headings of the columns of drillingCsv() after the number of the blow, such as "gap [m]".
+/// Returns the column headings of drillingCsv(), such as "gap [m]", without that of the blow number.
 std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units);
 /// Returns the scenario as comment lines, then one CSV row for every blow.
 std::string drillingCsv(const DrillingReport& report, OutputUnits units);
-/// Returns the recorded histories as CSV, one row for every instant.
+/// Returns the scenario as comment lines, then the recorded histories as CSV with one row for every instant.
 std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units);
 
 /// Returns a table with headings and one line per quantity of a blow: mean, error, standard deviation and

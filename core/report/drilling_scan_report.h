@@ -21,8 +21,8 @@ struct DrillingScanReport {
 std::vector<OutputColumn> drillingScanColumns(OutputUnits units);
 /// Returns one CSV row for each value and initial state: the value, the initial state and drillOutputs().
 std::string drillingScanCsv(const DrillingScanReport& report, OutputUnits units);
-/// Returns the gap of every counted blow as CSV, with the value and the initial state. Plotted, this is a
-/// bifurcation diagram.
+/// Returns the gap of every counted blow as CSV, with the value of the scanned parameter and the initial
+/// state. Plotted over the value, the gaps are a bifurcation diagram.
 std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units);
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units,
                              const ReadingStyle& style = plainStyle());

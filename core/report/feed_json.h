@@ -12,11 +12,13 @@
 
 namespace drillwave {
 
-/// Returns the required feed forces of single blows as JSON [N]; null without an estimate.
+/// Returns the estimate of the required feed force from single blows as a JSON object, with forces in N; null
+/// if `feed` is empty.
 Json feedJson(const std::optional<FeedEstimate>& feed);
 
-/// Returns the means of a sequence of blows as JSON, with a comparison to the best value of `scan` if given;
-/// null without statistics. Lengths are in m, or in d0 if dimensionless; the penetration rate is in m/s.
+/// Returns the means of a sequence of blows as JSON; null without statistics. If `scan` is given, they are
+/// also compared with the best value of the scan. Lengths are in m, or in d0 if dimensionless; the
+/// penetration rate is in m/s.
 Json sequenceJson(const DrillingResult& result, OutputUnits units, const ScanComparison* scan = nullptr);
 
 }  // namespace drillwave

@@ -14,13 +14,13 @@
 
 namespace drillwave {
 
-/// Returns a few words for the state of the feed force, for a table or a band of a plot, such as "below
-/// required".
+/// Returns a few words for the state of the feed force, for a table or a band of a plot, such as
+/// "enough in all cases".
 std::string_view feedWord(FeedState state);
 
-/// Returns a sentence on the decisive case, such as "8 kN covers every single blow (7.25 kN required)."
-/// Without an estimate, the sentence says what input is missing. Forces have enough digits to distinguish the
-/// required from the installed one.
+/// Returns a sentence on the decisive case, such as "A feed force of 8 kN is enough for a single blow at
+/// any gap (7.25 kN required)." Without an estimate, the sentence says what input is missing. Forces have
+/// enough digits to distinguish the required from the installed one.
 Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                             const ReadingStyle& style = plainStyle());
 
@@ -33,25 +33,25 @@ std::vector<Message> estimateSentences(const Scenario& scenario, const std::opti
 std::string estimateText(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                          const ReadingStyle& style = plainStyle());
 
-/// Returns the remedy if the feed force is below what this blow requires. Example: "This blow is covered by
-/// at least 4.4 kN at 60 Hz, or at most 48 Hz with this feed."
+/// Returns the remedy if the feed force is below what this blow requires. Example: "For this blow, the feed
+/// force must be at least 4.4 kN at 60 Hz, or the blow frequency at most 48 Hz with the present feed force."
 Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
-/// Returns a sentence on the benefit of more feed force, judged by single blows. It says how much more covers
-/// this blow and every gap, or that no more is needed. Empty without an installed feed force, or if the
-/// estimate does not apply.
+/// Returns a sentence on how much more feed force is enough for this blow and for every gap between bit and
+/// rock, judged by single blows. It may also say that the installed one is enough. Empty without an installed
+/// feed force, or if the estimate does not apply.
 Message moreFeedMessage(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
 /// Sentence on what the model neglects, printed once beside statements on more feed force.
 inline constexpr const char* feedLimitsOfModel =
     translatable("Friction, rotation and buckling are not modelled.");
 
-/// Returns the name of the tool that computes sequences of blows, for use within a sentence. It is the
-/// command `drill`, or in print and in the window the page "Drilling".
+/// Returns the name of the tool that computes sequences of blows, for use within a sentence. It is "`drill`"
+/// for the command line, and "the page "Drilling"" in print and in the window.
 Message drillingWords(const ReadingStyle& style);
 
-/// Returns the feed force in words, such as "installed feed force 8 kN". If an inclination is given, it is
-/// the effective feed force with its parts.
+/// Returns the feed force in words, such as "installed feed force 8 kN". If an inclination is given, the text
+/// has the effective feed force and its parts: the installed force and the weight along the hole.
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 
 /// Returns the label of a case of the required feed force: "this blow", "95 % of all gaps", "rigid rock" or

@@ -37,8 +37,8 @@ struct SiValues {
     bool operator==(const SiValues&) const = default;
 };
 
-/// Quantity that determines units and format of the numbers on an axis. Values of a parameter (KeptParameter)
-/// are in SI units.
+/// Quantity of the numbers on an axis, which determines their unit and format. For a KeptParameter the
+/// numbers are values of that parameter in SI units.
 using FigureQuantity = std::variant<PlainNumber, BlowScale, SiValues, KeptParameter>;
 
 /// Action of a click on an axis: sets `parameter` to `factor` times the value clicked (SI).
@@ -75,11 +75,12 @@ struct FigureAxis {
     std::vector<FigureText> names = {};
 };
 
-/// Kind of a series. `line` is a function y of ascending x, or only marked points in any order. `path` joins
-/// the points in the given order; `area` is a closed, filled path.
+/// Kind of a series. `line` is a function y of ascending x, or marked points in any order without a line.
+/// `path` joins the points in the given order; `area` is a closed, filled path.
 enum class SeriesKind { line, path, area };
 
-/// Role of a series, which selects its colour and dashes. Values beyond `fourth` select further colours.
+/// Role of a curve or of points in a figure, which selects the colour and dashes. Larger integers cast to
+/// this type select further colours.
 enum class SeriesRole { result, second, third, fourth };
 
 /// Pen of a series: `usual`, `wide` and `dotted` (thin) have the colour of the role; `dashed` (long dashes),
@@ -87,9 +88,10 @@ enum class SeriesRole { result, second, third, fourth };
 /// with its colour if it is `strong`, else shaded.
 enum class SeriesStroke { usual, wide, dotted, dashed, strong, shortDashed, none };
 
-/// Marks at the points of a series: `none`; marks (`joined`) or small discs (`beads`) together with the line;
-/// all others are marks without the line. `apart`, `stars`, `dots` and `discs` have the colour of the role,
-/// the others the text colour. `here` marks the present scenario.
+/// Marks at the points of a series. `none` draws no marks; `joined` (marks) and `beads` (small discs) are
+/// drawn together with the line. All others are marks without the line.
+/// `apart`, `stars`, `dots` and `discs` have the colour of the role, the others the text colour. `here` marks
+/// the present scenario.
 enum class SeriesPoints {
     none,
     joined,
@@ -125,22 +127,24 @@ struct FigureSeries {
     std::vector<double> x = {};
     std::vector<double> y = {};
     bool isOnTop = false;  ///< whether the x values of the series belong to the top axis of the panel
-    /// Function that returns y at an x between the points of a line; may be empty.
+    /// Function that returns the exact y at an x between the points of a line, for readings in the plot; may
+    /// be empty.
     std::function<double(double x)> value = nullptr;
     bool isFaint = false;  ///< whether the series is drawn faintly, behind the others
     /// Upper edge of a strip whose lower edge is `y`, drawn as a thin line; empty for a simple line.
     std::vector<double> upper = {};
     bool isFilled = false;  ///< whether the strip between y and `upper` is shaded
     SeriesPoints points = SeriesPoints::none;
-    /// Texts beside the points, starting at the first one. An empty text leaves a point without one.
+    /// Texts beside the points, the first for the first point. A point with an empty text, or beyond the last
+    /// text, has none.
     std::vector<FigureText> texts = {};
     TextSide textSide = TextSide::above;
-    /// Index of the row of the study's table for each point; empty without such rows.
+    /// Row of the study's table that each point belongs to (index from 0). Empty if the points have no rows.
     std::vector<std::size_t> rows = {};
     /// Effect of a click near the line, in addition to that of the axes; empty for none.
     std::optional<SeriesTarget> target = {};
-    /// Parameter that the user changes by dragging the line up or down, in proportion to the distance; empty
-    /// if the line cannot be dragged.
+    /// Parameter that the user changes by dragging the line up or down: its value changes by `factor` times
+    /// the distance in y. Empty if the line cannot be dragged.
     std::optional<AxisTarget> dragged = {};
     bool isOnRight = false;  ///< whether the y values of the series belong to the right axis of the panel
 };
@@ -160,7 +164,8 @@ struct FigureLevel {
     double y = 0;
     bool isMain = false;  ///< whether the line is drawn more prominently than other levels
     std::size_t row = 0;
-    /// Whether the y axis always includes the level; otherwise only if this at most doubles its range.
+    /// Whether the y axis always includes the level. Otherwise it does so only if this at most doubles the
+    /// range of the axis.
     bool isInView = true;
 };
 
@@ -222,7 +227,7 @@ struct FigureField {
 /// without values.
 std::pair<double, double> rangeOf(const MapGrid& grid);
 
-/// Plot of a figure. Panels in the same row share a y axis unless `hasOwnY` is set.
+/// Panel of a figure: one plot with its axes. Panels in the same row share a y axis unless `hasOwnY` is set.
 struct StudyPanel {
     /// Row of the panel, counted from 0 at the top. Panels are listed row by row.
     std::size_t row = 0;
@@ -252,7 +257,7 @@ struct StudyPanel {
 };
 
 /// Figure of panels in rows, with a caption above them. A newer result of the same study may change series,
-/// marks and levels. A different number of panels makes it a different figure.
+/// marks and levels. A figure with another number of panels counts as a different one.
 struct StudyFigure {
     std::vector<FigureText> caption = {};
     std::vector<StudyPanel> panels = {};
@@ -262,7 +267,7 @@ struct StudyFigure {
     /// Description of the figure in sentences, for readers who cannot see it; empty if the caption is
     /// sufficient.
     std::vector<FigureText> summary = {};
-    /// Whether the present scenario is shown as a crosshair that the user can drag.
+    /// Whether the figure marks the present scenario by a crosshair that the user can drag to another one.
     bool hasCrosshair = false;
     int paperHeight = 110;  ///< height on paper for a width of 180 mm [mm]
 };

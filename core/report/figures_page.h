@@ -10,8 +10,9 @@
 
 namespace drillwave {
 
-/// Returns an HTML page with the figures and a table of every printed number. The picture files (fig3.svg and
-/// so on) must be beside the page, in the formats `formats` of pictureFormats.
+/// Returns an HTML page with the recomputed figures of the paper, and a table of every printed number beside
+/// its computed value. The picture files, such as fig3.svg, must be in the folder of the page, in the
+/// `formats` given.
 std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
                         const std::vector<std::string>& formats);
 

@@ -21,16 +21,16 @@ const Study& gapStudy();
 /// Returns a note about the gap above which results repeat periodically; empty if they repeat from gap 0 on.
 Message periodRemark(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns the study as one dimensionless JSON object, with the scales for conversion to SI units.
-/// `scenarioText` is the scenario file that reproduces the scenario.
+/// Returns the study as one JSON object, dimensionless and with the scales for conversion to SI units. It
+/// contains `scenarioText`, the text of a scenario file, from which the study can be reproduced.
 std::string gapJson(const GapStudy& study, const std::string& scenarioText);
 
 /// Returns the curve as CSV: the gap and all outputs, including points at kinks. SI units require a scenario
 /// with units.
 std::string gapCsv(const GapStudy& study, OutputUnits units);
 
-/// Returns a table of the statistics: headings, then one line for each statistic. Requires that the
-/// statistics exist.
+/// Returns a table of the statistics: headings, then one line for each statistic, such as the mean. Requires
+/// a complete curve, for which there are statistics.
 TextGrid gapGrid(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
 /// Returns notes on the statistics, about one sentence each; the last one states their errors. Requires that
@@ -44,7 +44,8 @@ std::string gapText(const GapStudy& study, const ReadingStyle& style = plainStyl
 /// complete study.
 StudyFigure gapFigure(const GapStudy& study, GapOutput output);
 
-/// Returns a preview figure of an output over one period of the gap, from a few solved gaps.
+/// Returns a preview of gapFigure(), the figure of an output over one period of the gap, from a few solved
+/// gaps.
 StudyFigure gapPreviewFigure(const Scenario& scenario, const std::vector<GapSample>& samples,
                              GapOutput output);
 

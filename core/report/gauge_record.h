@@ -16,7 +16,7 @@ struct PlannedGauge {
     double distance = 0;  ///< distance from the bit face [m]; must be on a uniform section of rod or string
 };
 
-/// Sampling rate of the simulated record, and recorded time before the blow reaches the struck end.
+/// Sampling rate of the simulated record of strain gauges.
 inline constexpr double gaugeRecordRate = 1e6;  ///< sampling rate [1/s]
 /// Recorded time before the blow reaches the struck end [s].
 inline constexpr double gaugeRecordBegin = 3e-4;

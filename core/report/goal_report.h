@@ -15,8 +15,8 @@ namespace drillwave {
 /// Beginning of the header of the CSV of goalCsv(), by which such files are recognised.
 inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 
-/// Returns the number of significant digits with which goals and the parameter values that reach them are
-/// shown.
+/// Returns the number of significant digits for a goal value and the parameter values that give it: 5 in
+/// print, otherwise 8.
 int goalDigits(const ReadingStyle& style);
 
 /// Returns a value of the first output of `question` as text with its unit: "0.7", "240 kN".
@@ -30,8 +30,8 @@ std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style =
 /// 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at 0.29982658".
 Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style);
 
-/// Returns a table of the parameter values for which an output takes the goal value, and whether there may be
-/// others. If there are none, gives the nearest value. Requires that the question has a goal.
+/// Returns a table of the parameter values at which an output takes the goal value. A line below states
+/// whether there may be others, or the nearest value if there are none. Requires a question with a goal.
 std::string goalText(const CurveQuestion& question, const CurveLine& line,
                      const ReadingStyle& style = plainStyle());
 
@@ -39,8 +39,8 @@ std::string goalText(const CurveQuestion& question, const CurveLine& line,
 /// question has a goal.
 std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns a JSON object with the members `places` (each with its `kind`) and `complete`, and with `nearest`
-/// if there is no place.
+/// Returns a JSON object with the members `reached`, `complete`, `places` (each with its `kind`) and
+/// `nearest`. The last is null if a parameter value gives the goal, or if the curve has no result.
 JsonObject goalJson(const GoalAnswer& answer);
 
 /// Returns one CSV row for each place where a curve takes the goal value. Columns are goal, kind, direction,

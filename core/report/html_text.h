@@ -21,7 +21,7 @@ std::string htmlHead(std::string_view text);
 /// Returns the header line of a table, which is repeated on every printed page.
 std::string htmlHeads(const std::vector<std::string>& names);
 
-/// Returns the lines of a table, of which the first has the headings. In the other lines, a number is not
+/// Returns a table as HTML rows; the first of `rows` has the headings. In the others, a number is not
 /// separated from its unit by a line break.
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows);
 

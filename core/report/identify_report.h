@@ -31,26 +31,27 @@ inline constexpr std::size_t posteriorRows = 200;
 std::string identifyText(const IdentifyReport& report, const ReadingStyle& style = plainStyle());
 std::string identifyJson(const IdentifyReport& report);
 
-/// Returns the waves over time as CSV with the columns `time [s]`, `incident [N]`, `measured [N]`, `model
-/// [N]`, `residual [N]`. With several records, `record` is the first column.
+/// Returns the measured and computed waves over time as CSV, with the columns `time [s]`, `incident [N]`,
+/// `measured [N]`, `model [N]`, `residual [N]`. With several records, `record` is the first column.
 std::string matchCsv(const IdentifyReport& report);
 /// Returns the rock response as CSV with the columns `time [s]`, `penetration [m]`, `force [N]`, `model_force
 /// [N]`. With several records, `record` is the first column.
 std::string forcePenetrationCsv(const IdentifyReport& report);
-/// Returns random samples of the identified parameters as CSV, with keys and units as headings, for `design
-/// --draws`. Empty if there are none.
+/// Returns random samples of the identified parameters as CSV, with keys and units as headings. `design
+/// --draws` reads them as uncertain inputs. Empty if there are none.
 std::string posteriorCsv(const IdentifyReport& report);
-/// Returns the results as CSV with one row for each record.
+/// Returns the identified values as CSV, with one row for each record.
 std::string recordsCsv(const IdentifyReport& report);
-/// Returns the incident wave, from its front to its end, as CSV with the columns `time [us]` and `force
-/// [kN]`.
+/// Returns the incident wave of the main record (IdentifyFindings::main()), from its front to its end, as
+/// CSV. The columns are `time [us]` and `force [kN]`.
 std::string incidentCsv(const IdentifyReport& report);
 
-/// Returns the sentence for the code of a warning. `scenario` provides the names of its sections.
+/// Returns the sentence for the code of a warning about a record. `scenario` provides the names of its
+/// sections.
 Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
                        const ReadingStyle& style);
-/// Returns whether the report lists a warning, given by its code. Warnings that other parts of the report
-/// already express are not listed.
+/// Returns whether a report lists the warning with this code. Warnings that other parts of the report already
+/// express are not listed.
 bool isRemarkShown(std::string_view code);
 /// Returns the warnings that a report lists: those of one record, then those of all records together.
 std::vector<Message> identifyRemarks(const IdentifyReport& report, const RecordAnswer& answer,
@@ -63,18 +64,19 @@ Message recordsSentence(const IdentifyFindings& findings, const ReadingStyle& st
 /// Returns the name of a record: its file, followed by the number of the blow (from 1) if `hasBlows`, as for
 /// files with several blows.
 std::string recordName(const RecordAnswer& answer, bool hasBlows);
-/// Returns the name of a tried law (TriedLaw::law) in words.
+/// Returns the name of a rock law or disturbance that was tried to explain a record (TriedLaw::law), such as
+/// "power law".
 Message lawWords(std::string_view law);
 /// Returns in a few words whether a record agrees with the model, or why it was refused.
 Message recordVerdict(const RecordAnswer& answer);
 /// Returns the most likely reason why the model disagrees with a rejected record.
 Message rejectionReason(const RecordAnswer& answer);
 
-/// Returns the size of a section in words, with its key if the reader uses commands: "diameter of bit head
-/// (string.bit_head.diameter)". Other keys are returned unchanged.
+/// Returns the name of a size of a section, with its key if the reader uses commands: "diameter of bit head
+/// (string.bit_head.diameter)". A key that is not a parameter is returned unchanged.
 Message sizeWords(const std::string& key, const Scenario& scenario, const ReadingStyle& style);
-/// Returns a short length (SI), such as a gap or a tolerance, as text in mm, or in the reader's unit instead
-/// of millimetres.
+/// Returns a length of some millimetres (SI), such as a gap, as text in mm. If the reader chose another unit
+/// for such lengths, it is used instead.
 std::string shortLength(double si, int digits, const ReadingStyle& style);
 
 /// One identified value in words, for example "rock when it is first loaded", "stiffness", "131.2 MN/m",
@@ -92,21 +94,23 @@ std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
                                       const std::vector<NextBlowParameter>& nextBlow,
                                       const ReadingStyle& style);
 
-/// Source of error that limits the accuracy of a result.
+/// Source of error that limits the accuracy of the identified rock parameters.
 struct IdentifyLimit {
     Message cause;
     std::string key;  ///< key of option --known that sets this tolerance; empty if there is none
     Message tolerance;
-    /// Effect on stiffness and gamma: relative 95 % half-width; empty if the value is not seen.
+    /// Effect of this source of error on stiffness and gamma: relative half-width of the 95 % interval that
+    /// it causes. Empty if the record does not determine the parameter.
     std::optional<double> onStiffness, onGamma;
     bool isAssumed = false;
 };
-/// Returns the largest sources of error, the largest first; empty for a record that is refused or rejected.
+/// Returns at most six sources of error, the largest first; empty for a record that is refused or rejected.
 std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scenario& scenario,
                                           const ReadingStyle& style);
-/// Returns the words for an effect of IdentifyLimit: a percentage, that it is above 100 %, or a dash.
+/// Returns an effect of IdentifyLimit as text: a percentage, "over 100 %", or "-" if it is empty.
 Message limitWords(std::optional<double> effect, const ReadingStyle& style);
-/// Returns a sentence that recommends the most useful further measurement; empty if there is none.
+/// Returns a sentence that recommends the measurement that would best reduce the error of the identified
+/// rock; empty if none is known.
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style);
 
 /// Returns the figure of a record that is not refused; it must be one of the findings. Panels from top to

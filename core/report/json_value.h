@@ -18,7 +18,8 @@ Json unitJson(Quantity quantity);
 /// Returns a JSON object with the dimensionless groups beta, gamma, tau and delta.
 JsonObject groupsJson(const Groups& groups);
 
-/// Beginning of the JSON of every command that works on a scenario.
+/// Members with which the JSON of every command on a scenario begins, such as the scenario text and the
+/// method.
 struct JsonHead {
     const Scenario& scenario;
     std::string_view scenarioText;            ///< scenario file that reproduces the scenario

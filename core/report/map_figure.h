@@ -20,7 +20,8 @@ enum class MapPanel { map, alongY, alongX };
 /// the one nearest to the present scenario.
 struct MapSection {
     MapGrid::Place point;
-    /// Whether the point has the x (y) of the scenario to five significant digits.
+    /// Whether the point has the x (`isAtX`) and the y (`isAtY`) of the present scenario, to five significant
+    /// digits.
     bool isAtX = true, isAtY = true;
     bool operator==(const MapSection&) const = default;
 };
@@ -45,9 +46,9 @@ struct MapOutput {
 };
 MapOutput mapOutput(const MapStudy& study);
 
-/// Returns a sentence on one contour: the range of y outside which the output does not exceed its level. The
-/// contour is that of 1 for e, of 0 for the feed margin, otherwise of the largest level. If there is no such
-/// range, the sentence says where the output is largest and smallest. Empty for an incomplete map.
+/// Returns a sentence that states above or below which y the output exceeds the level of a contour. The level
+/// is 1 for e, 0 for the feed margin, otherwise the largest level with a contour. If there is no such y, the
+/// sentence says where the output is largest and smallest. Empty for an incomplete map.
 std::optional<FigureText> mapAnswer(const MapReport& report);
 
 /// Returns the default contour levels of an output. They are 1 for e, 0 for the margin of the feed force, 0.4

@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// Beginning of a text that fits on paper.
+/// Beginning of a text, as much as fits into a number of lines on paper.
 struct PaperLines {
     std::string text;     ///< text with line breaks added where a line would be too long
     bool isWhole = true;  ///< whether the text is complete, with nothing omitted

@@ -14,19 +14,19 @@ namespace drillwave {
 /// of corner 2".
 Message labelMessage(const Parameter& parameter);
 
-/// Returns the label of a parameter, with the words `section` for the section it belongs to, such as "length
-/// of 2nd rod". Without a section it is the plain label.
+/// Returns the label of a parameter, followed by its section in the words `section`, such as "length of 2nd
+/// rod". If it belongs to no section, returns the plain label.
 Message labelMessage(const Parameter& parameter, const Message& section);
-/// Returns the label of a parameter, with the name that tables of the scenario's sections use for its
-/// section.
+/// Returns the label of a parameter. For a parameter of a section, the label names the section as tables of
+/// the scenario do, such as "length of 2nd rod".
 Message labelMessage(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns the title of a form field, such as "stiffness k": the label and, if there is one, the symbol as it
-/// is written there.
+/// Returns the title of a form field, such as "stiffness k": the label of the parameter and `symbol`. Only
+/// the label if `symbol` is empty.
 Message titleMessage(const Parameter& parameter, std::string_view symbol);
 
-/// Returns the name of a parameter for a sentence that asks for it. It is the key for commands, and the title
-/// of the form field in print and in the window.
+/// Returns the name of a parameter for a sentence that asks the user to enter it. It is the key for the
+/// command line, and the title of the form field in print and in the window.
 Message fieldMessage(const Parameter& parameter, const ReadingStyle& style);
 
 }  // namespace drillwave

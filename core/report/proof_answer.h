@@ -16,8 +16,8 @@ StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const Accuracy& accuracy
 StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const StringAccuracy& accuracy, double runTime = 0);
 
 /// Returns the result of a stability study. Its figure shows the worst check of each case relative to its
-/// limit, against β/γ, the fastest rate. Figure and table list the worst case first, the CSV keeps the order
-/// of the cases.
+/// limit, over β/γ, the fastest rate of the impact force [1/t0]. Figure and table list the worst case first,
+/// the CSV keeps the order of the cases.
 StudyAnswerPtr stabilityAnswer(const StabilityReport& report, double runTime = 0);
 
 /// Returns the measured accuracy of a uniform rod for the numbers of segments in `ladder` (see

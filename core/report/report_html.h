@@ -23,14 +23,15 @@ struct ReportPicture {
 /// Name of the picture that shows the sections of a string.
 inline constexpr std::string_view stringPicture = "string";
 
-/// Maximum number of scenario lines on paper, about two pages of small type.
+/// Default maximum number of lines of the scenario file in a printed report, about two pages of small type.
 inline constexpr std::size_t mostPaperLines = 180;
 
-/// Returns the report as an HTML page, with numbers in the style of the reader. Its order is: title and head,
-/// recommendation on the feed force, first picture, verdict, alerts, results and studies. Then inputs with
-/// sources, other pictures, the scenario and the numerical accuracy follow.
-/// The page has no date or place except those of the head. On the screen, each table cell has its full number
-/// in `data-value`, and a page without pictures says that --no-plots omitted them. Requires a solved blow.
+/// Returns the report of a solved blow as an HTML page, with numbers in the style of the reader.
+/// The order is: title and head, recommendation on the feed force, first picture, verdict, alerts, results,
+/// studies. Then inputs with their sources, other pictures, scenario and numerical accuracy follow.
+/// The page has no date or place except those in BlowReport::head. On the screen, each table cell has its
+/// full number in `data-value`. If there are no pictures, the page for the screen says that --no-plots
+/// omitted them.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
                        ReportMedium medium, const ReadingStyle& style = plainStyle(),
                        std::size_t paperLines = mostPaperLines);

@@ -27,11 +27,11 @@ struct ReportRow {
     std::vector<ReportCell> cells;
 };
 
-/// Returns the unit of a dimensionless value, such as "I0"; empty for a plain number. Energies of a blow by a
-/// prescribed force are shares of its work W.
+/// Returns the unit of a dimensionless value, such as "I0"; empty for a plain number. For a blow by a
+/// prescribed force, energies are shares of its work W.
 std::string_view multipleName(Measure measure, const Scenario& scenario);
 
-/// Returns 0 for a share smaller than 1e-12, which is only rounding; otherwise the value unchanged.
+/// Returns 0 if the output is a share of an energy below 1e-12, which is only rounding; otherwise `value`.
 double shareOrZero(const Output& output, double value);
 
 /// Returns the value of an output with its unit as text; work and its shares are in joules.
@@ -51,7 +51,7 @@ std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style = 
 std::vector<ReportRow> solverRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// Returns the rows of the four dimensionless groups. If the scenario has units, adds its scales and derived
-/// values of the rod.
+/// values of the rod, such as its mass.
 std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

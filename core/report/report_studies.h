@@ -15,17 +15,18 @@ struct DesignReport;
 struct DrillingResult;
 struct DrillingScan;
 
-/// Names of the studies for `report --with`, equal to the names of their commands.
+/// Names of the studies that `report --with` can add to a report, equal to the names of their commands.
 inline constexpr std::string_view drillStudyName = "drill", designStudyName = "design";
 inline constexpr std::array reportStudyNames{drillStudyName, designStudyName};
 
-/// Finished studies of the scenario of a report; nullptr for a study that was not made.
+/// Studies that a report includes on request, all of the report's scenario. A member is nullptr if its study
+/// was not made.
 struct ReportStudies {
     std::shared_ptr<const DrillingResult> drilling;
     /// Scan over several values of a parameter; has at least one point.
     std::shared_ptr<const DrillingScan> scan;
-    /// Report of a design study that has a best design for uncertain rock; nullptr without one. Its scenario
-    /// text may be empty.
+    /// Report of a design study; nullptr if there is none or if it has no best design. Its scenario text may
+    /// be empty.
     std::shared_ptr<const DesignReport> design;
 };
 

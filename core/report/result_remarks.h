@@ -11,10 +11,11 @@
 
 namespace drillwave {
 
-/// First characters of a CSV file that begins with its scenario.
+/// First characters of a CSV file that begins with its scenario as comment lines.
 inline constexpr std::string_view csvRemarksBegin = "# # Written by Drillwave ";
 
-/// Contents of the comment lines at the start of a result; all empty if the text does not begin with them.
+/// Program version and method, read from the comment lines at the start of a scenario file in a result. All
+/// empty if the text does not begin with such lines.
 struct ResultRemarks {
     std::string version;
     std::optional<MethodChoice> method;
@@ -22,8 +23,9 @@ struct ResultRemarks {
     Message problem;         ///< error if the method is not known to this program; empty otherwise
 };
 
-/// Returns the comment lines for the start of a YAML file. `columns` explains the columns of a CSV file;
-/// empty `method` and `columns` are omitted.
+/// Returns the comment lines for the start of a YAML file: the program version followed by `about`, then
+/// method and columns. `columns` explains the columns of a CSV file; empty `method` and `columns` are
+/// omitted.
 std::string remarksText(std::string_view about, std::string_view method, std::string_view columns = {});
 
 /// Returns the contents of the comment lines at the start of a YAML text, after a byte order mark if there is

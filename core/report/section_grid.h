@@ -13,9 +13,10 @@ namespace drillwave {
 /// rod.
 TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Returns a table with headings and one line per section. A line has the largest stresses with position and
-/// time, and the share reflected by the joint at the far end. If sections have strengths, stresses are also
-/// given as shares of them. Requires a blow with the forces in its sections.
+/// Returns a table with headings and one line per section of hammer and string. A line has the largest
+/// stresses, their position and time, and the share of the hammer energy reflected by the joint at its far
+/// end. If sections have strengths, stresses are also given as shares of them. Requires a blow with the
+/// forces in its sections.
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

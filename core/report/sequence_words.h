@@ -23,16 +23,16 @@ std::string withError(double si, const std::optional<double>& error, Quantity qu
 /// 6.3 MN/m".
 Message feedModelWords(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 
-/// Returns sentences on the results of a sequence: penetration and rate, contact share, what is too
-/// uncertain, and the feed model. If there is no result, says why.
+/// Returns sentences on the results of a sequence: penetration and rate, a warning if they are too uncertain,
+/// contact share, and the feed model. If there is no result, they say why.
 std::vector<Message> sequenceSentences(const DrillingResult& result,
                                        const ReadingStyle& style = plainStyle());
 /// Returns the sentences of sequenceSentences() as one paragraph, in the language of the reader.
 std::string sequenceText(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 /// Returns sentences on the value of a scan with the highest penetration rate, if the errors allow a
-/// decision. They say by how much its rate exceeds that of `present`. Empty without values, and for a word
-/// parameter.
+/// decision. They say by how much its rate exceeds that of `present`. Empty if no value has statistics, and
+/// if the parameter has words instead of numbers.
 std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional<Sequence>& present,
                                    const ReadingStyle& style = plainStyle());
 

@@ -17,14 +17,15 @@ struct NamedReading {
     SignalReading reading;
 };
 
-/// Returns one line for each fact about a record. Open questions are last, each with the option that answers
-/// it.
+/// Returns one line for each fact read from a measured record, such as its columns and units. Open questions
+/// are last, each with the option that answers it.
 std::string signalText(const NamedReading& record, const ReadingStyle& style);
 
-/// Returns one row for each record, with what was read and its quality.
+/// Returns a text table with one line per measured record: samples, rate, peak, impulse, offset, noise,
+/// warnings and open questions.
 std::string signalSeriesText(std::span<const NamedReading> records, const ReadingStyle& style);
 
-/// Returns the JSON object of one record.
+/// Returns the JSON object of one measured record: how the file was read, and what was found in it.
 JsonObject signalJson(const NamedReading& record);
 
 /// Returns the recorded blow as CSV with the header "time [us],force [kN]". Requires a reading without open

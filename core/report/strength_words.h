@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Returns a sentence such as "First to break: 3rd rod, by a tension of 362 MPa, 90.4 % of its fatigue
-/// strength of 400 MPa." The number of sections without a strength follows. If no section has one, asks for
-/// strengths. Empty without stresses.
+/// Returns a sentence such as "The most heavily loaded section (3rd rod) has a tension of 362 MPa, which is
+/// 90.4 % of its fatigue strength of 400 MPa." The number of sections without a strength follows. If no
+/// section has one, asks for strengths. Empty without stresses.
 Message strengthSentence(const Scenario& scenario, const std::vector<SectionStress>& stresses,
                          const ReadingStyle& style);
 

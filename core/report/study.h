@@ -25,7 +25,7 @@ namespace drillwave {
 
 struct Blow;
 
-/// Values of the options given, as typed on a command line, by option name: {"gap-mean", "0.5 mm"}.
+/// Values of the options of a study as typed on the command line, by option name: {"gap-mean", "0.5 mm"}.
 using StudyWords = std::map<std::string, std::string, std::less<>>;
 
 /// Question for a study: a scenario with option values.
@@ -53,13 +53,14 @@ struct QuantityControl {
 };
 
 /// Input on the page for a parameter range, "KEY=START:STOP[:log]": a list of the parameters that apply to
-/// the scenario, and both ends.
+/// the scenario, and fields for both ends of the range.
 struct RangeControl {
-    /// Keys of preferred parameters; the first one that applies is offered first.
+    /// Keys of parameters that the list offers first; of these, the first that applies to the scenario is
+    /// chosen initially.
     std::vector<std::string_view> preferred;
 };
 
-/// Type for an option that has no input on the page, only an option of the command.
+/// Type for an option that the page does not offer, only the command line.
 struct NoControl {};
 
 /// Options that must be given together or not at all. A selection box on the page chooses between giving them
@@ -73,8 +74,8 @@ struct StudyGroup {
     const char* with;
 };
 
-/// Option of a study. It appears as a row of the help, an input on the page, and a word of the copied
-/// command.
+/// Option of a study. It appears as a row of the help, as an input on the page, and in the command that the
+/// page can copy.
 struct StudyOption {
     std::string_view key;    ///< name on the command line without dashes, such as "gap-mean"
     std::string_view value;  ///< placeholder of the option's value in the help, such as "GAP"
@@ -116,35 +117,37 @@ class StudyAnswer {
 
     const Scenario& scenario() const { return m_scenario; }
 
-    /// Returns why the result is incomplete, as words that follow "FILE: "; empty if it is complete.
+    /// Returns why the result is incomplete, as a phrase that can follow a file name: "FILE: could not be
+    /// solved …". Empty if it is complete.
     virtual Message gap() const = 0;
-    /// Returns why some rows lack numbers, as words that follow "FILE: "; empty if none do.
+    /// Returns why some rows of csv() lack numbers, as a phrase that can follow a file name: "FILE: 3 of 50
+    /// points could not be solved …". Empty if none do.
     virtual Message gapInRows() const { return {}; }
-    /// Returns whether there are rows to write; there may be even if the result is incomplete.
+    /// Returns whether csv() has any rows; an incomplete result may have some.
     virtual bool hasRows() const { return gap().isEmpty(); }
-    /// Returns the result in sentences. Requires a complete study; the default is none.
+    /// Returns the result in sentences. Requires a complete study; by default there are none.
     virtual std::vector<Message> sentences(const ReadingStyle& /*style*/) const { return {}; }
     /// Returns the figure for one of Study::views, given by its index; also available for a preview.
     virtual StudyFigure figure(std::size_t view) const = 0;
-    /// Returns the point of the figure that corresponds to a scenario, which may differ only in the
-    /// parameters on the axes. Empty if it is outside the figure.
+    /// Returns the point of the figure at which a scenario is marked. The scenario may differ from that of
+    /// the result only in the parameters on the axes. Empty if the point is outside the figure.
     virtual std::optional<FigurePoint> placeOf(const Scenario& /*scenario*/, std::size_t /*view*/) const {
         return std::nullopt;
     }
-    /// Returns the series to draw over the figure of another result, up to the abscissa `until`. The default
-    /// is the first series.
+    /// Returns the series with which this result is drawn over the figure of another scenario's result, up to
+    /// x = `until`. By default it is the first series of the figure.
     virtual std::optional<FigureSeries> overlay(std::size_t view, double until) const;
-    /// Returns the point of the figure that corresponds to the blow of a pinned run; used by
-    /// Study::marksBlows. Empty if there is none.
+    /// Returns the point of the figure at which the blow of a pinned run (a run kept for comparison) is
+    /// marked; used if Study::marksBlows is set. Empty if there is none.
     virtual std::optional<FigurePoint> placeOfBlow(const Blow& /*blow*/) const { return std::nullopt; }
-    /// Returns the table of numbers below the figure, described by Study::tableName; the default is empty.
+    /// Returns the table of numbers that the page shows below the figure; empty by default.
     virtual StudyTable table(const ReadingStyle& /*style*/) const { return {}; }
     /// Returns the scenario that a click on a row of the table loads; empty if a click has no effect.
     virtual std::optional<Scenario> scenarioOfRow(std::size_t /*row*/) const { return std::nullopt; }
     /// Returns the result as text for a terminal: a table and notes.
     virtual std::string text(const ReadingStyle& style) const = 0;
-    /// Returns the result as one JSON object. `scenarioText` is the scenario file that reproduces the
-    /// scenario.
+    /// Returns the result as one JSON object. It contains `scenarioText`, the text of a scenario file, from
+    /// which the result can be reproduced.
     virtual std::string json(const std::string& scenarioText) const = 0;
     /// Returns the rows of the result as CSV text with a header, dimensionless or in SI units.
     virtual std::string csv(OutputUnits units) const = 0;
@@ -164,7 +167,8 @@ struct StudyWork {
     int threads = 1;
     WorkLimits limits = {};  ///< work limits of one blow
     bool isForText = true;   ///< whether text() or json() will be called, not only csv()
-    /// Memory that a study may keep between questions, used by one thread at a time; nullptr for none.
+    /// Storage in which a study may keep intermediate results from one question to the next. Used by one
+    /// thread at a time; nullptr for none.
     std::any* memory = nullptr;
 };
 
@@ -186,17 +190,19 @@ struct Study {
     const char* clickHelp;
     bool hasSi;  ///< whether the CSV has the option --si
 
-    /// Returns why a scenario cannot have this study, as words that follow "FILE: "; empty if it can.
+    /// Function that returns why a scenario cannot have this study, as a phrase that can follow a file name:
+    /// "FILE: is …". The message is empty if the scenario can have the study.
     Message (*whyNot)(const Scenario& scenario);
     /// Text on the page if the scenario cannot have this study: the reason and, if there is one, the other
     /// page that has the result.
     const char* elsewhere;
-    /// Whether the page Curve (tab COR–stiffness or Efficiency–stiffness) can show the result over the gap
-    /// for a scenario that cannot have this study.
+    /// Whether the page Curve (tab COR–stiffness or Efficiency–stiffness) can show results over the gap if
+    /// the scenario cannot have this study.
     bool isElsewhereOverGap = false;
-    /// Removes from a scenario the values that do not influence the result.
+    /// Function that removes from a scenario the values that do not influence the result.
     void (*reduce)(Scenario& scenario);
-    /// Returns the problem of a question whose scenario passes whyNot(); empty if it can be answered.
+    /// Function that returns why a question cannot be answered although whyNot() accepts its scenario, for
+    /// example because of a wrong option. Empty if it can be answered.
     std::optional<StudyProblem> (*problem)(const StudyQuestion& question);
     /// Returns the result of a question for which problem() is empty. After a stop request the result is
     /// incomplete (see StudyAnswer::gap()).
@@ -204,28 +210,32 @@ struct Study {
 
     /// Whether the study requires physical units and its page shows values in them.
     bool isPhysical = false;
-    /// Whether the study's page is listed after those of single blows, and its command after `drill`.
+    /// Whether the study is about the feed force: its page is listed after those of single blows, and its
+    /// command after `drill`.
     bool isOfFeed = false;
     /// Keys of optional parameters that the page asks for if the scenario lacks them.
     std::vector<std::string_view> asked = {};
-    /// Returns why there is no result until the parameters in `asked` are given, empty if they are; nullptr
-    /// if the study asks for none.
+    /// Function that returns why there is no result until the parameters in `asked` are given; its message is
+    /// empty if they are. nullptr if the study asks for none.
     Message (*lacks)(const Scenario& scenario, const ReadingStyle& style) = nullptr;
-    /// Returns the axis of the requested rows; nullptr if the rows need no axis.
+    /// Function that returns the axis over which the options of a question request CSV rows; nullptr if the
+    /// rows need no axis.
     std::optional<StudyAxis> (*axis)(const StudyQuestion& question) = nullptr;
     std::string_view threadsHelp = {};  ///< help text for -j; empty if the study always uses all threads
     bool hasWorkLimit = false;          ///< whether the command has the option --work-limit
     /// Accessible name of the table on the page, for a screen reader; nullptr without a table.
     const char* tableName = nullptr;
-    /// Whether pinned runs are only marked in the figure and not studied themselves.
+    /// Whether pinned runs (runs kept for comparison) are only marked in the figure, and the study is not
+    /// made for them.
     bool marksBlows = false;
 
-    /// Returns the question for a scenario, from which values without influence are removed (see reduce).
+    /// Returns the question of this study for a scenario and option values. Scenario values without influence
+    /// on the result are removed by reduce(), so that questions with the same result compare equal.
     StudyQuestion question(Scenario scenario, StudyWords words) const;
 };
 
-/// Returns all studies that are described as values, in the order of commands and pages. Defined in its own
-/// source file, so that a program can add others.
+/// Returns all studies that are described by a Study object, in the order of commands and pages. Defined in
+/// its own source file, so that a program can add others.
 std::vector<const Study*> studies();
 
 /// Returns the value typed for an option; nullptr if it was not given.

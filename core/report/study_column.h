@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Format of a number in a table for people.
+/// Kind of a number in a table for people, which selects its format.
 enum class NumberStyle { error, time, count, factor, order };
 
 /// Returns a number as text for people; "-" if it is NaN.
@@ -28,7 +28,7 @@ struct StudyColumn {
     double (*value)(const Row&);  ///< function that returns the number of a row; NaN if there is none
 };
 
-/// Returns the headings of a table for people: `first`, then the titles of the columns shown.
+/// Returns the headings of a table for people: `first`, then the titles of all columns that have one.
 std::vector<std::string> withTitles(std::string first, const auto& columns,
                                     const ReadingStyle& style = plainStyle()) {
     std::vector<std::string> titles{std::move(first)};
@@ -37,7 +37,8 @@ std::vector<std::string> withTitles(std::string first, const auto& columns,
     return titles;
 }
 
-/// Returns the cells of a row for people: `first`, then the numbers of the columns shown.
+/// Returns the cells of one row of a table for people: `first`, then the number of every column that has a
+/// title.
 std::vector<std::string> withCells(std::string first, const auto& columns, const auto& row,
                                    const ReadingStyle& style = plainStyle()) {
     std::vector<std::string> cells{std::move(first)};
@@ -57,8 +58,8 @@ void appendCells(Cells& cells, const auto& columns, const auto& row, bool isSolv
     for (const auto& column : columns) cells.push_back(isSolved ? Cell(column.value(row)) : Cell());
 }
 
-/// Adds the numbers of a row to a JSON object, by the key of the column. Missing numbers are null, as are all
-/// of a row that was not solved.
+/// Adds the numbers of a row to a JSON object, one member per column. A number is null if it is missing or if
+/// the row was not solved.
 void addMembers(JsonObject& object, const auto& columns, const auto& row, bool isSolved = true) {
     for (const auto& column : columns) object[column.key] = isSolved ? Json(column.value(row)) : Json();
 }

@@ -35,16 +35,16 @@ struct ThrustReport {
 /// installed one (theory §10).
 const Study& thrustStudy();
 
-/// Returns the figure of a report that has a curve along a parameter. It shows required feed forces as
-/// strips, states of the feed as layers, and the feed force itself.
+/// Returns the figure of a report that has a curve along a parameter. Strips show the required feed forces,
+/// shaded layers the states of the feed (such as "below required"), and a line the feed force itself.
 StudyFigure thrustFigure(const ThrustReport& report);
 
-/// Returns a table of the required feed force in the four cases: headings, then one line for each case.
-/// Requires a study with a result.
+/// Returns a table of the required feed force: headings, then one line for each case of ThrustCase that is
+/// known, such as this blow or rigid rock. Requires a study with a result.
 TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
-/// Returns the estimate of the required feed force in words, then sentences on the four cases. `shareCovered`
-/// is ThrustStudy::shareFull; empty if it is not known.
+/// Returns sentences on the required feed force: the estimate, the benefit of more force, the share of gaps
+/// covered, and the margin. `shareCovered` is ThrustStudy::shareFull; empty if it is not known.
 std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimate& feed,
                                      const std::optional<double>& shareCovered,
                                      const ReadingStyle& style = plainStyle());
@@ -52,20 +52,22 @@ std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimat
 /// Returns the report as text for people, with sentences and tables.
 std::string thrustText(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
-/// Returns the report as one JSON object in SI units. `scenarioText` is the scenario file that reproduces the
-/// scenario.
+/// Returns the report as one JSON object in SI units. It contains `scenarioText`, the text of a scenario
+/// file, from which the report can be reproduced.
 std::string thrustJson(const ThrustReport& report, const std::string& scenarioText);
 
-/// Number of points of a range if the user gives none.
+/// Default number of values of a range over which the required feed force is computed.
 inline constexpr std::uint64_t customaryThrustPoints = 101;
 
 /// Returns all values of an axis in SI units.
 std::vector<double> valuesOf(const SweepAxis& axis);
 
-/// Returns one CSV row for each point. First comes the parameter in the unit of its axis. For each case f I0
-/// (1 + e) and (`_undamped`) f I0 (1 + 2e) follow [N]. Then follow the effective feed force [N], the margin
-/// over the largest required force, and the gap at the blow [m], computed from its e. The last columns are
-/// n_b (round trips of a wave between blows) and the verdict. Unknown values are empty cells.
+/// Returns one CSV row for each point. First comes the parameter in the unit of its axis. For the four cases,
+/// the required feed forces f I0 (1 + e) [N] follow. Then, with the suffix `_undamped`, there are those that
+/// return an undamped rod in time, f I0 (1 + 2e) [N].
+/// The effective feed force [N], its margin over the largest required one, and the gap at the blow [m],
+/// computed from the e of this blow, follow. The last columns are n_b (round trips of a wave between blows)
+/// and the verdict. Unknown values are empty cells.
 std::string thrustCsv(const ThrustAlong& along);
 
 }  // namespace drillwave

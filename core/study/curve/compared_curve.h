@@ -11,8 +11,8 @@
 
 namespace drillwave {
 
-/// Scaling of the reference curve: the coefficient of restitution e of a rod that arrives without waves. This
-/// e depends only on γ and on the stiffness k divided by a reference stiffness k0.
+/// Reference stiffness k0 of the reference curve. This curve shows the coefficient of restitution e of a rod
+/// that arrives without waves. Its e depends only on γ and k/k0, with the stiffness k.
 enum class ReferenceScale {
     none,       ///< no reference curve
     byTransit,  ///< k0 = Z/(2T), as in the paper's figures
@@ -22,7 +22,7 @@ enum class ReferenceScale {
 struct ComparedCurveQuestion {
     CurveQuestion curve;
     ReferenceScale reference = ReferenceScale::none;
-    /// Whether to compute the closed form as well; only for a rectangular hammer force.
+    /// Whether to compute the curve by the closed form, too; only possible for a rectangular hammer force.
     bool closedForm = false;
     bool operator==(const ComparedCurveQuestion&) const = default;
 
@@ -43,8 +43,9 @@ struct ComparedCurve {
     std::optional<CurveStudy> closedForm;
 };
 
-/// Sets the varied parameter of a study to `value`, so that scenarios that differ only in this parameter
-/// compare equal. Does nothing if the hammer force depends on the parameter.
+/// Sets the varied parameter of a study to a fixed `value` in a scenario. Scenarios that differ only in this
+/// parameter then compare equal and share one curve. Does nothing if the hammer force depends on the
+/// parameter.
 void takeOut(Scenario& scenario, const Parameter& parameter, double value);
 
 /// Returns the reasons why a question cannot be studied, one message each; empty if it can.
@@ -53,13 +54,13 @@ std::vector<Message> problemsOf(const ComparedCurveQuestion& question);
 /// Callback that receives an incomplete curve with the points solved so far.
 using ComparedCurvePreview = std::function<void(const ComparedCurve& soFar)>;
 
-/// Returns `question` for the scenario of a pinned run: a single curve for the run's own family value,
-/// without contour levels and goal. Returns nullopt if the run lacks the parameter or the output.
+/// Returns `question` for the scenario of a pinned run (a run kept for comparison): one curve, without
+/// family, levels and goal. Returns nullopt if the run lacks the parameter, the units or the output.
 std::optional<CurveQuestion> questionOfRun(const CurveQuestion& question, const Scenario& run);
 
-/// Returns the requested curve with its reference and closed-form curves. The curve equals, bit for bit, the
-/// result of studyCurve(), or of sampleCurve() if it is solved only at points. A sampled curve has no other
-/// curves. Requires problemsOf() to be empty.
+/// Returns the requested curve and, if requested, the reference curve and the closed form to compare it with.
+/// The curve is bit for bit the result of studyCurve(), or of sampleCurve() if isSampled(). In the latter
+/// case there are no other curves. Requires problemsOf() to be empty.
 ComparedCurve studyComparedCurve(const ComparedCurveQuestion& question, int jobs, std::stop_token stop = {},
                                  const CurveProgress& progress = {},
                                  const ComparedCurvePreview& preview = {});

@@ -23,7 +23,7 @@
 
 namespace drillwave {
 
-/// Input of a curve study: the scenario, the parameter that varies and the outputs that are followed.
+/// Input of a curve study: the scenario, the parameter that varies and the outputs to compute.
 struct CurveQuestion {
     Scenario base;
     /// Parameter that varies along the curve, with its range, as read by parseRange().
@@ -52,10 +52,10 @@ struct CurveQuestion {
 /// curves.
 inline constexpr std::size_t maximumCurveLines = 50;
 
-/// Returns the reasons why a question cannot be studied, one message each; empty if it can. If the range
-/// cannot be followed (see followProblem()), that is the only message. Otherwise the messages name axes of
-/// the same quantity, and ranges without a valid scenario at an end (as problemsOf(Sweep) does). They also
-/// name outputs that need a separate study at every point.
+/// Returns the reasons why a curve cannot be computed, one message each; empty if it can. If followProblem()
+/// refuses the range, that is the only message.
+/// Otherwise they are problems of a sweep over both parameters (see problemsOf(Sweep)), and outputs that need
+/// a study of all gaps at every point. Others are a family that is too large, and a goal for several outputs.
 std::vector<Message> problemsOf(const CurveQuestion& question);
 
 /// Returns a message if the second parameter (the family) has more than maximumCurveLines values; empty
@@ -75,8 +75,8 @@ struct CurveStretch {
 
 /// Curve of one output over the parameter range.
 struct CurveOutput {
-    /// Functions whose argument is the share of the range, 0 … 1 (see CurveRange). The pieces ascend, and
-    /// each has one function.
+    /// Pieces of the curve, ascending, each with one function. The argument of the function is the share of
+    /// the range, 0 … 1 (see CurveRange).
     std::vector<FitPiece> pieces;
     /// Stretches where the output is not smooth, or where a fit would exceed the permitted work. There it is
     /// solved only at CurveLine::points and is linear between them. The points are at most 1/500 of the range
@@ -92,8 +92,8 @@ struct CurveOutput {
 
 /// Curves of all outputs for one value of the second parameter (family) of a curve study.
 struct CurveLine {
-    /// Value of the second parameter (family) in SI units, or the index of a pulse shape; empty without a
-    /// second parameter.
+    /// Value of the second parameter (family) of this line in SI units, or the index of its word, such as a
+    /// pulse shape. Empty without a second parameter.
     std::optional<double> family;
     CurveRange range;
     /// Parameter values at which to draw and export the curves, ascending, in SI units.
@@ -120,7 +120,7 @@ struct CurveStudy {
     /// without one.
     std::vector<CurveLine> lines;
     std::uint64_t solves = 0;  ///< number of blows solved
-    /// Work of all blows: wave pieces of the exact solver, or cells of the method of drill strings.
+    /// Computing work of all blows: polynomial pieces of waves, or for drill strings time steps times nodes.
     long effort = 0;
     bool stopped = false;  ///< set if the stop token ended the study early; `lines` is then empty
     /// Reason why the question cannot be studied; empty if it can. With a reason, `lines` is empty.

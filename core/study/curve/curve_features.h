@@ -11,8 +11,8 @@
 
 namespace drillwave {
 
-/// Returns the pieces with the values of slivers limited to those of their neighbours. A sliver is the tiny
-/// bracket around a kink or jump, where a fitted value could lie outside the values at both ends.
+/// Returns the pieces of a curve, in which a sliver has an error no larger than that of its neighbours. A
+/// sliver is the tiny piece around a kink or jump, whose own error exceeds the tolerance of the fit.
 std::vector<FitPiece> mergeSlivers(std::span<const FitPiece> pieces);
 
 /// Returns the features of a curve, ascending in the parameter: global and local extremes, kinks, jumps and

@@ -42,15 +42,16 @@ struct GoalPlace {
 
 std::string_view name(GoalPlace::Kind kind);
 
-/// Parameter values for which an output takes the goal value, along one curve.
+/// Result of the search for a goal along one curve: the parameter values at which the output takes the goal
+/// value.
 struct GoalAnswer {
-    /// Places where the output equals or crosses the goal, ascending in the parameter.
+    /// Places on the curve where the output equals the goal or crosses it, ascending in the parameter.
     std::vector<GoalPlace> places;
     /// Whether `places` contains every place in the range, within the errors of the curve. False if part of
     /// the range is solved only at points or has no result.
     bool isComplete = true;
-    /// Closest approach of the output to the goal value, given if no parameter value reaches it. Empty if the
-    /// curve has no result at all.
+    /// Value of the output that is closest to the goal value, and where it occurs. Given if no parameter
+    /// value reaches the goal; empty if the curve has no result at all.
     struct Nearest {
         Estimate x = {};  ///< parameter value in SI units
         Estimate value = {};

@@ -9,7 +9,8 @@
 
 namespace drillwave {
 
-/// Returns the result of a curve study. Implements studyCurve(), with the same arguments and guarantees.
+/// Returns the result of a curve study. This is the implementation of studyCurve(), with the same arguments
+/// and guarantees.
 CurveStudy followLines(const CurveQuestion& question, int jobs, std::stop_token stop,
                        const CurveProgress& progress);
 

@@ -17,11 +17,11 @@ namespace drillwave {
 /// piece has no function yet. A piece without a result gets one point.
 std::vector<double> pointsOf(const CurveLine& line);
 
-/// Returns the entries of `points` that lie in open pieces (those without a function), with the ends of these
-/// pieces. Outputs must be solved at these shares of the range.
+/// Returns the shares of the range, 0 … 1, at which blows must still be solved. These are the entries of
+/// `points` in open pieces (parts of a curve without a function), and the ends of these pieces.
 std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> points);
 
-/// Values of all outputs, solved at one parameter value.
+/// Values of all outputs, from the blow solved at one parameter value.
 struct LinePoint {
     double share = 0;
     std::vector<FitSample> outputs;
@@ -35,7 +35,8 @@ struct PointTask {
     std::vector<double> shares;
     std::vector<LinePoint> points;
     std::uint64_t solves = 0;
-    /// Computing work of all blows of this task: wave pieces, or cells of the method of drill strings.
+    /// Computing work of all blows of this task: polynomial pieces of waves, or for drill strings time steps
+    /// times nodes.
     long effort = 0;
 };
 
@@ -55,8 +56,8 @@ class PointSolver {
     const std::vector<SweepAxis>& m_axes;
 };
 
-/// Fills the open pieces of output i with straight lines between solved points. Requires that `solved` is
-/// ascending and includes every share that openPointsOf() returns.
+/// Fills the open pieces (parts of a curve without a function) of output i with straight lines between solved
+/// points. Requires that `solved` is ascending and includes every share that openPointsOf() returns.
 void fillPieces(CurveLine& line, std::size_t i, std::span<const double> points,
                 std::span<const LinePoint> solved);
 

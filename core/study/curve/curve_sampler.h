@@ -23,20 +23,21 @@ class CurveSampler {
     CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
                  std::stop_token stop, long partOfLimit = 1);
 
-    /// Returns the value of an output at a share 0 … 1 of the range. Its error estimate is based on that of
-    /// the coefficient of restitution e.
+    /// Returns the value of an output at a share 0 … 1 of the range; solves the blow there unless it is
+    /// known. The error estimate of the value is based on that of the coefficient of restitution e.
     FitSample operator()(double share, std::size_t output);
     /// Returns the reason of the most recent sample that had no value.
     const Message& reason() const { return m_reason; }
-    /// Returns a reference size for an output, in the unit of its column, at a share of the range. For
-    /// example, a penetration uses its scale d0. Ratios give 1; the result is 0 if there is no valid
-    /// scenario.
+    /// Returns the size of an output by which errors are judged, in the unit of its column, at a share of the
+    /// range. For example, a penetration uses its scale d0. Ratios give 1; the result is 0 if there is no
+    /// valid scenario.
     double unitAt(double share, std::size_t output);
-    /// Returns the work of the blow at a share of the range: wave pieces, or cells of the method of drill
-    /// strings.
+    /// Returns the computing work of the blow at a share of the range: polynomial pieces of waves, or for
+    /// drill strings time steps times nodes.
     long effortAt(double share) { return blowAt(share).pieces; }
     std::uint64_t solves() const { return m_blows.size(); }
-    /// Returns the work of all blows so far: wave pieces, or cells of the method of drill strings.
+    /// Returns the computing work of all blows so far: polynomial pieces of waves, or for drill strings time
+    /// steps times nodes.
     long effort() const { return m_effort; }
 
   private:

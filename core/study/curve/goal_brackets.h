@@ -15,19 +15,22 @@ namespace drillwave {
 /// range, 0 … 1.
 struct GoalBracket {
     Estimate share;  ///< position at which the curve takes the goal, with its error
-    /// Start of the bracket. At both ends the curve clearly lies on the sides given by `before` and `after`.
+    /// Start of the bracket. Here the curve clearly lies on the side `before` of the goal, and at the end
+    /// `to` on the side `after`.
     double from = 0;
     double to = 0;
     /// Value of the curve at the start of the bracket (`from`), in the unit of the output.
     double valueFrom = 0;
     /// Value of the curve at the end of the bracket (`to`), in the unit of the output.
     double valueTo = 0;
-    /// Side of the curve before the goal: −1 below, +1 above, 0 if the curve begins at the goal.
+    /// Side of the goal on which the curve lies before the bracket: −1 below, +1 above, 0 if the curve begins
+    /// at the goal.
     int before = 0;
-    /// Side of the curve after the goal: −1 below, +1 above, 0 if the curve ends at the goal.
+    /// Side of the goal on which the curve lies after the bracket: −1 below, +1 above, 0 if the curve ends at
+    /// the goal.
     int after = 0;
-    /// Error of the curve within the bracket. Values closer to the goal than this cannot be distinguished
-    /// from the goal.
+    /// Error of the curve within the bracket, in the unit of the output. Values closer to the goal than this
+    /// cannot be distinguished from it.
     double margin = 0;
     /// Whether the bracket lies between two solved points, with the curve not known between them.
     bool isOpen = false;
@@ -35,8 +38,9 @@ struct GoalBracket {
     bool isPassed() const { return before * after < 0; }
 };
 
-/// Returns all brackets, ascending. A stretch within the error of the goal forms one bracket. The curve ends
-/// before a stretch without a result and begins again after it.
+/// Returns brackets of all places where the curve takes the goal value, ascending. A stretch over which the
+/// curve stays within its error of the goal forms one bracket. Where there is no result, the curve ends, and
+/// it begins again after that.
 std::vector<GoalBracket> goalBrackets(std::span<const MonotoneSegment> segments, double goal);
 
 /// Value of the curve that is closest to the goal, and the share of the range where it occurs.

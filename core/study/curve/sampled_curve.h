@@ -12,8 +12,9 @@
 
 namespace drillwave {
 
-/// Returns the reasons why a question cannot be studied at points; empty if it can. The checks are those of
-/// problemsOf(CurveQuestion), except that parameters with whole-number values are allowed.
+/// Returns the reasons why a curve cannot be computed at points; empty if it can. The checks are those of a
+/// sweep, of the family and of the goal. Unlike in problemsOf(CurveQuestion), whole-number parameters, narrow
+/// ranges and any output are allowed.
 std::vector<Message> sampledProblemsOf(const CurveQuestion& question);
 
 /// Callbacks for progress, called on the calling thread. `tell` receives the number of solved points and of

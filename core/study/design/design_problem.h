@@ -15,7 +15,8 @@
 
 namespace drillwave {
 
-/// Solver for single samples of a design. Each thread needs its own object.
+/// Solver of single blows of a design, for given values of the uncertain inputs. Each thread needs its own
+/// object.
 class DesignSolver {
   public:
     DesignSolver() = default;
@@ -23,19 +24,19 @@ class DesignSolver {
     DesignSolver(const DesignSolver&) = delete;
     DesignSolver& operator=(const DesignSolver&) = delete;
 
-    /// Solves one sample of a design and writes its results to `outputs`. `design` is an index from 0;
-    /// `values` has one value for each uncertain input. Returns why there are no results; empty if there are.
+    /// Solves a blow of a design and writes its results to `outputs`. `design` is an index from 0; `values`
+    /// has one value for each uncertain input. Returns the reason if there are no results; empty otherwise.
     virtual Message solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
                           const std::stop_token& stop) = 0;
-    /// Solves a design with the uncertain inputs at the values entered in its scenario, and writes its
-    /// results to `outputs`. `design` is an index from 0. Returns why there are no results; empty if there
-    /// are.
+    /// Solves a blow of a design with all uncertain inputs at the values of the scenario, and writes its
+    /// results to `outputs`. `design` is an index from 0. Returns the reason if there are no results; empty
+    /// otherwise.
     virtual Message solveNominal(std::uint64_t design, std::span<double> outputs,
                                  const std::stop_token& stop) = 0;
 };
 
-/// Designs with their uncertain inputs and outputs, as the sampling routines see them. Safe to use from
-/// several threads.
+/// Interface to the designs of a study with their uncertain inputs and outputs, for sampling and searches.
+/// Safe to use from several threads.
 class DesignProblem {
   public:
     DesignProblem() = default;
@@ -49,7 +50,8 @@ class DesignProblem {
     /// every design.
     virtual std::vector<Distribution> distributions(std::uint64_t design) const = 0;
     virtual std::unique_ptr<DesignSolver> solver() const = 0;
-    /// Returns values of one uncertain input, inside its range, near which worst cases are likely.
+    /// Returns values of one uncertain input (index `coordinate`), inside its range, near which worst cases
+    /// are likely.
     virtual std::vector<double> likelyPlaces(std::uint64_t /*design*/, std::size_t /*coordinate*/) const {
         return {};
     }

@@ -46,13 +46,13 @@ struct DesignLimit {
     Statistic statistic;
     double bound = 0;
 
-    /// Returns the statistic as typed on the command line, such as "thrust@q95".
+    /// Returns output and statistic as typed on the command line, such as "thrust@q95".
     std::string name() const;
     bool operator==(const DesignLimit&) const = default;
 };
 
-/// Input of a design study. The designs are all combinations of the design variables (`choices`), with the
-/// last one varying fastest. Without design variables, the base scenario is the only design.
+/// Input of a design study. The designs are all combinations of values of the design variables (`choices`),
+/// with the last variable varying fastest. Without design variables, the base scenario is the only design.
 struct DesignStudy {
     Scenario base;
     std::vector<UncertainInput> uncertain;
@@ -65,78 +65,79 @@ struct DesignStudy {
     std::uint64_t seed = 1;
     long workLimit = defaultWorkLimit;
 
-    /// Returns the number of designs; 0 if it exceeds maximumSweepPoints.
+    /// Returns the number of designs: the product of the numbers of values of the design variables. 0 if it
+    /// exceeds maximumSweepPoints.
     std::uint64_t designCount() const;
     /// Returns the values of the design variables of one design (index from 0), in the order of `choices`, in
     /// SI units.
     std::vector<double> choice(std::uint64_t design) const;
     /// Returns the outputs that the objectives and limits use, each once.
     std::vector<OutputColumn> columns() const;
-    /// Returns the statistics computed for an output: the default ones, then further ones of objectives and
-    /// limits.
+    /// Returns the statistics computed for an output: the default ones, then those that objectives and limits
+    /// use in addition.
     std::vector<Statistic> statisticsOf(const Output& output) const;
     /// Returns the number of independent uncertain inputs; a table of correlated values (`draws`) counts as
     /// one.
     std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
-    /// Returns the parameters that are uncertain; those of the table `draws` are last.
+    /// Returns all parameters that are uncertain; those of the table of correlated values (`draws`) are last.
     std::vector<KeptParameter> scattered() const;
     /// Returns the position, in DesignSamples::statistics, of a statistic that an objective or a limit uses.
     StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
     bool operator==(const DesignStudy&) const = default;
 };
 
-/// Returns the default objectives: the largest 5 % quantile of efficiency. With a blow frequency, the second
-/// is the least 95 % quantile of the required feed force.
+/// Returns the default objectives of a design study: the largest 5 % quantile of efficiency. With a blow
+/// frequency, the second is the least 95 % quantile of the required feed force.
 std::vector<DesignAim> customaryAims(const Scenario& scenario);
 
 /// Results of a design study.
 struct DesignFindings {
     Message refusal = {};  ///< reason why the study cannot run; the other members are then empty
-    /// Reason why no design could be solved, not even at the values entered; the other members are then
-    /// empty.
+    /// Reason why no blow of the first designs tried could be solved, even with the values of the scenario;
+    /// the other members are then empty.
     Message unsolved = {};
     std::vector<DesignSamples> designs;
     std::vector<Feasibility> feasibility;  ///< feasibility of each design, in the order of `designs`
-    /// Best designs. For design variables without influence (see makesDifference()), the robust and the
-    /// chosen design keep their present values.
+    /// Best designs of the study. Design variables without influence (see makesDifference()) keep their
+    /// present values in the robust and the chosen design.
     BestDesigns best;
-    /// Outputs that the objectives use, each once. `sensitivity` has the same order.
+    /// Outputs that the objectives use, each once; `sensitivity` has the same order.
     std::vector<const Output*> aimed;
-    /// Sensitivity of the objectives' outputs to the uncertain inputs, for the design that is best for
-    /// uncertain rock.
+    /// Sensitivity of the outputs in `aimed` to the uncertain inputs, for the design BestDesigns::robust.
     Sensitivity sensitivity;
-    /// Worst case of each objective, for the design that is best for uncertain rock.
+    /// Worst case of each objective, in the order of the objectives, for the design BestDesigns::robust.
     std::vector<std::optional<WorstCase>> worst;
-    /// Recommended design: the present design if it is equally good as the best ones, otherwise
+    /// Recommended design: the present one if it is as good as the best ones (BestDesigns::equal), otherwise
     /// BestDesigns::chosen. Empty if no design is feasible.
     std::optional<std::size_t> recommended = {};
-    /// Warnings about a blow of the recommended design at the values entered: all about strength, and others
-    /// that the base scenario does not have.
+    /// Warnings about the blow of the recommended design with the values of the scenario. They are all
+    /// warnings about strength, and others that the base scenario does not have.
     std::vector<Alert> alerts = {};
-    /// Largest over smallest blow energy of all designs, minus 1; 0 for a dimensionless scenario.
+    /// Ratio of the largest to the smallest blow energy of all designs, minus 1; 0 for a dimensionless
+    /// scenario.
     double energySpread = 0;
 };
 
-/// Returns the valid scenario of a design (index from 0), with the blow energy kept constant if the study
-/// requires it.
+/// Returns the valid scenario of a design (index from 0). The blow energy is the same as in the base scenario
+/// if the study requires it.
 Scenario designScenario(const DesignStudy& study, std::uint64_t design);
 
-/// Returns the index of the design that equals the base scenario; empty if no combination of the design
-/// variables does.
+/// Returns the index of the design that equals the base scenario; empty if no design does.
 std::optional<std::size_t> presentDesign(const DesignStudy& study);
 
-/// Returns whether a design variable matters. It does if designs that differ only in it differ in an
-/// objective by more than the errors, or in satisfying the limits.
+/// Returns whether a design variable matters. If only its value changes, an objective must change by more
+/// than its errors, or the limits become satisfied or violated.
 bool makesDifference(const DesignStudy& study, const DesignFindings& findings, std::size_t choice);
 
 /// Returns the approximate number of blows that runDesign() solves.
 std::uint64_t designSolves(const DesignStudy& study);
 
-/// Callback for intermediate results: called first with the designs, later again with the sensitivities.
+/// Callback for intermediate results: called with the designs first, and again when the sensitivities are
+/// known.
 using ShowFindings = std::function<void(const DesignFindings&)>;
 
-/// Returns the results of a design study. If problemsOf(study) is not empty, only `refusal` is set, to its
-/// first message. After a stop request, the result is incomplete and must not be used.
+/// Computes a design study and returns the results. If problemsOf(study) is not empty, only `refusal` is set,
+/// to the first problem. After a stop request, the result is incomplete and must not be used.
 DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show = {});
 
 }  // namespace drillwave

@@ -14,30 +14,31 @@
 
 namespace drillwave {
 
-/// Source of presets that a design variable may name, such as hammers or bits.
+/// Source of the presets, such as hammers or bits, that a design variable may name.
 struct PresetLookup {
-    /// Function that loads the presets; called only if the text names presets.
+    /// Function that returns the presets. It is called only if a text names presets, because it may read a
+    /// file.
     std::function<const PresetFile&()> presets;
     std::string listCommand = "drillwave presets";  ///< command that lists the presets, for use in messages
 };
 
-/// Returns a lookup that uses the presets built into the program.
+/// Returns a PresetLookup for the presets built into the program.
 PresetLookup builtInLookup();
 
-/// Returns the axis of presets read from "rock=NAME,NAME" or "rock=all" (also "hammer=", "rod=" or "bit="),
-/// or the axis of parseAxis() for other text. Names must be presets that suit the scenario; for drill
-/// strings, hammers are pistons. Names may be abbreviated if unique, and may contain commas. Returns a
-/// problem if no preset can replace that component of the scenario.
+/// Returns the axis (design variable) of presets read from "rock=NAME,NAME" or "rock=all", also "hammer=",
+/// "rod=" or "bit=". For other text, returns the axis of parseAxis(). Names must be presets that suit the
+/// scenario; for drill strings, hammers are pistons. Names may be abbreviated if unique, and may contain
+/// commas. Returns a problem if no preset can replace that component of the scenario.
 ParsedAxis parseAxisOrPresets(std::string_view text, const Scenario& scenario, const PresetLookup& lookup);
 
 /// Returns whether a text chooses presets: whether it begins with "hammer=", "rod=", "bit=" or "rock=".
 bool choosesPresets(std::string_view text);
 
 /// Returns the design variable read from text, in the syntax of parseAxisOrPresets(). Presets of a rock are
-/// refused, because a user cannot choose the rock.
+/// refused, because the rock cannot be designed.
 ParsedAxis parseChoice(std::string_view text, const Scenario& scenario, const PresetLookup& lookup);
 
-/// Objective read from text, or the problem why it could not be read.
+/// Objective of a design study read from text, or the reason why it could not be read.
 struct ParsedAim {
     DesignAim aim;
     Message problem;
@@ -45,18 +46,19 @@ struct ParsedAim {
 
 /// Returns whether a text begins like an objective: with "max:" or "min:".
 bool beginsAsAim(std::string_view text);
-/// Returns the objective read from "max:OUTPUT@STATISTIC" or "min:OUTPUT@STATISTIC", or a problem.
+/// Returns the objective of a design study read from "max:OUTPUT@STATISTIC" or "min:OUTPUT@STATISTIC", or the
+/// problem of this text.
 ParsedAim parseAim(std::string_view text);
 
-/// Limit read from text, or the problem why it could not be read.
+/// Limit of a design study (a bound on an output) read from text, or the reason why it could not be read.
 struct ParsedLimit {
     DesignLimit limit;
     bool isMistyped = false;  ///< whether the problem is a misspelt word rather than an invalid value
     Message problem;
 };
 
-/// Returns the limit read from "OUTPUT@STATISTIC=VALUE", or a problem. `atMost` selects an upper bound,
-/// otherwise a lower one. VALUE has a unit if the output has one.
+/// Returns the limit of a design study read from "OUTPUT@STATISTIC=VALUE", or the problem of this text.
+/// `atMost` selects an upper bound, otherwise a lower one. VALUE has a unit if the output has one.
 ParsedLimit parseLimit(std::string_view text, bool atMost, const Scenario& scenario);
 
 }  // namespace drillwave

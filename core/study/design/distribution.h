@@ -35,24 +35,26 @@ class Distribution {
     Distribution(DistributionKind kind, double low, double high,
                  double least = -std::numeric_limits<double>::infinity(),
                  double most = std::numeric_limits<double>::infinity());
-    /// Returns the distribution of a row index, 0 … rows − 1, with equal probability for each row.
+    /// Returns the distribution of a random row index of a table of correlated values. All indices 0 … rows −
+    /// 1 are equally likely.
     static Distribution ofRows(std::uint64_t rows);
 
     DistributionKind kind() const { return m_kind; }
     double low() const { return m_low; }
     double high() const { return m_high; }
-    /// Returns whether the distribution has a continuous range in which to search for worst cases; false for
-    /// rows of a table.
+    /// Returns whether the distribution has a continuous range in which worst cases can be searched; false
+    /// for rows of a table.
     bool hasBox() const { return m_kind != DistributionKind::draws; }
 
     /// Returns the value below which the distribution has the probability u, 0 < u < 1.
     double quantile(double u) const;
-    /// Returns the value at a position b of the range from low (b = 0) to high (b = 1). The scale is
+    /// Returns the value at a position b of the range, from low (b = 0) to high (b = 1). The scale is
     /// logarithmic for `log` and `lognormal`. For rows of a table, returns quantile(b).
     double inBox(double b) const;
-    /// Returns the position of a value in the range, from 0 (low) to 1 (high), clamped. Inverse of inBox().
+    /// Returns the position of a value in the range, from 0 (low) to 1 (high); the ends for values outside.
+    /// Inverse of inBox().
     double boxPlace(double value) const;
-    /// Returns the smallest possible value; most() returns the largest.
+    /// Returns the smallest possible value of the uncertain input; most() returns the largest.
     double least() const;
     double most() const;
 

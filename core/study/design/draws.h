@@ -23,7 +23,7 @@ struct Draws {
     bool operator==(const Draws&) const = default;
 };
 
-/// Table of correlated values read from a file, or the reasons why it could not be read.
+/// Table of correlated parameter values read from a file, or the reasons why it could not be read.
 struct ReadDraws {
     Draws draws;
     /// Errors of the file, such as missing cells or rows, each with its position: "posterior.csv:7: …".

@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// Designs of a design study, solved as blows. The outputs are the columns of the study, followed by the
-/// numerical error of each sample.
+/// Interface DesignProblem for a design study whose samples are solved as blows. The outputs are the columns
+/// of the study, followed by the numerical error of each sample.
 class ScenarioDesigns : public DesignProblem {
   public:
     /// Stores a reference to the study, which must outlive this object. Requires that problemsOf(study) is
@@ -23,7 +23,8 @@ class ScenarioDesigns : public DesignProblem {
     std::vector<Distribution> distributions(std::uint64_t design) const override;
     std::unique_ptr<DesignSolver> solver() const override;
     std::vector<double> likelyPlaces(std::uint64_t design, std::size_t coordinate) const override;
-    /// Returns the settings for counting samples whose numerical error exceeds the error of the statistics.
+    /// Returns the settings for counting samples whose own numerical error is larger than the sampling error
+    /// of the statistics.
     UncertainPoints uncertainPoints() const;
 
   private:
@@ -31,7 +32,7 @@ class ScenarioDesigns : public DesignProblem {
     std::vector<OutputColumn> m_columns;
 };
 
-/// Returns the uncertain inputs as sweep axes from their smallest to their largest value. Single inputs come
+/// Returns all uncertain inputs as sweep axes with their smallest and largest value. Single inputs come
 /// first, then the columns of the table of correlated values.
 std::vector<SweepAxis> uncertainAxes(const DesignStudy& study, const Scenario& design);
 

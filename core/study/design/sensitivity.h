@@ -18,21 +18,21 @@ struct SobolIndex {
     Estimate total;
 };
 
-/// Sensitivity of one output to all uncertain inputs.
+/// Sensitivity of one output of a design to all uncertain inputs.
 struct OutputSensitivity {
     bool isConstant = false;          ///< whether the output does not vary; `indices` is then empty
     std::vector<SobolIndex> indices;  ///< Sobol indices of each uncertain input, in the order of the inputs
 };
 
 struct Sensitivity {
-    /// Sensitivity of each requested output, in the requested order; empty after a stop.
+    /// Sensitivity of each requested output, in the order of the request; empty after a stop request.
     std::vector<OutputSensitivity> outputs;
-    /// Number of samples left out because they, or samples compared with them, were not solved.
+    /// Number of samples left out, because their blow or a blow compared with it could not be solved.
     std::uint64_t unsolved = 0;
     Message reason;
 };
 
-/// Returns the number of solves that sensitivityOf() needs for a number of uncertain inputs and of samples.
+/// Returns the number of blows that sensitivityOf() solves, for a number of uncertain inputs and of samples.
 std::uint64_t sensitivitySolves(std::size_t uncertain, std::uint64_t samples);
 
 /// Returns the Sobol indices of the outputs (given by index) of one design. Uses points in 2d dimensions for

@@ -9,22 +9,24 @@
 
 namespace drillwave {
 
-/// Number of replicates (independently shifted copies) of every point set. Their scatter gives the error of a
-/// statistic.
+/// Number of replicates (independently randomised copies) of a set of sample points. The scatter between them
+/// gives the error of a statistic.
 inline constexpr std::size_t replicateCount = 8;
 
-/// Sobol points in several replicates. A coordinate of point n in replicate r is u = (MX ⊕ s + ½)/2^64. X is
-/// the Sobol sequence of Joe and Kuo, including its point 0. The digital shift s and the digit mixing M come
-/// from SplitMix64 with the seed, r and the coordinate. Points can be computed in any order.
+/// Sobol points in several replicates (independently randomised copies). A coordinate of point n in replicate
+/// r is u = (MX ⊕ s + ½)/2^64. X is the Sobol sequence of Joe and Kuo, including its point 0. The digital
+/// shift s and the digit mixing M come from SplitMix64 with the seed, r and the coordinate. Points can be
+/// computed in any order.
 class SobolPoints {
   public:
-    /// Requires 1 … mostDimensions dimensions. A replicate has at most 2^20 points.
+    /// Requires 1 … mostDimensions dimensions. Each replicate (randomised copy) has at most 2^20 points.
     SobolPoints(std::size_t dimensions, std::uint64_t seed);
 
     static constexpr std::size_t mostDimensions = 32;
 
     std::size_t dimensions() const { return m_dimensions; }
-    /// Writes the coordinates of point n of a replicate to `u`; every coordinate lies in (0, 1).
+    /// Writes the coordinates of point n of a replicate (both from 0) to `u`. Every coordinate lies in (0,
+    /// 1).
     void point(std::size_t replicate, std::uint64_t n, std::span<double> u) const;
 
   private:

@@ -25,14 +25,14 @@ struct UncertainInput {
     const Unit* unit = nullptr;
     bool operator==(const UncertainInput&) const = default;
 
-    /// Returns the distribution of the input for a design; a `percent` range is centred on the value there.
-    /// Requires that problemIn() is empty.
+    /// Returns the distribution of the input for a design. A `percent` range is centred on the parameter's
+    /// value in this design. Requires that problemIn() is empty.
     Distribution in(const Scenario& design) const;
-    /// Returns why the input cannot vary over its range in a design; empty if it can.
+    /// Returns the reason why the input cannot vary over its range in a design; empty if it can.
     Message problemIn(const Scenario& design) const;
 };
 
-/// Uncertain input read from text, or the problem why it could not be read.
+/// Uncertain input read from text, or the reason why it could not be read.
 struct ParsedUncertain {
     UncertainInput input;
     /// Whether the problem is a misspelt word rather than an invalid key or value.
@@ -40,10 +40,10 @@ struct ParsedUncertain {
     Message problem;
 };
 
-/// Returns the uncertain input read from "KEY=LOW:HIGH[:log|normal|lognormal]" or "KEY=+-P%", or a problem.
-/// Refuses unknown keys, keys without a variable number, and ranges that are reversed, empty or outside the
-/// allowed range. Refuses `log` and `lognormal` from 0, and a `normal` reaching 0 where the parameter must be
-/// positive.
+/// Returns the uncertain input read from "KEY=LOW:HIGH[:log|normal|lognormal]" or "KEY=+-P%", or the problem
+/// of this text. Refuses unknown keys, keys without a numerical value, and ranges that are reversed, empty or
+/// outside the allowed range. Also refuses `log` and `lognormal` from 0, and a `normal` that reaches 0 if the
+/// parameter must be positive.
 ParsedUncertain parseUncertain(std::string_view text);
 
 }  // namespace drillwave

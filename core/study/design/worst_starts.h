@@ -13,15 +13,16 @@
 
 namespace drillwave {
 
-/// Point in the box of the uncertain inputs, with coordinates 0 … 1 from the lower to the upper end of each
-/// range.
+/// Point in the box spanned by the ranges of the uncertain inputs. Each coordinate runs from 0 (lower end of
+/// the range) to 1 (upper end).
 using Place = std::vector<double>;
 
-/// Number of points tried on every face of the box.
+/// Number of starting points on each face of the box, in a search for worst cases. The box consists of the
+/// ranges of the uncertain inputs.
 inline constexpr std::uint64_t faceSamples = 512;
 
-/// Numbered sequence of starting points of a search for worst cases: samples, then points on the faces, then
-/// corners. Values where the problem expects worst cases count as further faces and corners.
+/// Numbered sequence of starting points of a search for worst cases: samples, then points on the faces of the
+/// box, then its corners. Values where the problem expects worst cases count as further faces and corners.
 class WorstStarts {
   public:
     WorstStarts(const DesignProblem& problem, std::uint64_t design, std::uint64_t samples,
@@ -40,8 +41,8 @@ class WorstStarts {
     std::uint64_t m_corners = 0;
 };
 
-/// List of the worst points found, the worst first. No two of them are close together, because otherwise all
-/// searches could start in one dip and miss a lower one. Among equal values the first is kept.
+/// List of the worst points found so far, the worst first. No two of them are close together, so that
+/// searches started from them do not all find the same optimum. Among equal values the first is kept.
 class WorstPlaces {
   public:
     struct Found {
@@ -49,9 +50,10 @@ class WorstPlaces {
         double value;
         Place place;
     };
-    /// Limits the list to `most` points.
+    /// Makes an empty list for at most `most` points.
     explicit WorstPlaces(std::size_t most) : m_most(most) {}
-    /// Adds a point if it is among the worst. Calls `placeOf()` only if the point is added; ignores NaN.
+    /// Adds a point with the output `value` if it is among the worst; a larger `badness` is worse. Calls
+    /// `placeOf()` for its coordinates only if they are needed. Ignores NaN.
     void add(double badness, double value, const std::function<Place()>& placeOf);
     const std::vector<Found>& found() const { return m_found; }
 

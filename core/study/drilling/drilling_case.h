@@ -28,14 +28,15 @@ inline constexpr long mostBlows = 1'000'000;
 /// Returns the settings of a scenario. By default there are `usualBlows` blows, one fifth of them transient.
 DrillingSettings drillingSettingsOf(const Scenario& scenario, long usualBlows = 1000);
 
-/// Returns the settings of one value in a scan over many values of a parameter (see scanLengthOf()).
+/// Returns the settings for the sequence of blows at each value of a scanned parameter. By default it has 300
+/// blows and twice the usual time step, so that a scan is fast (see scanLengthOf()).
 DrillingSettings scanSettingsOf(const Scenario& scenario);
 
 /// Returns why a sequence of blows cannot be computed, one message for each cause, such as "drill.thrust: is
 /// missing …". Empty if it can.
 std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings);
 
-/// Units of the dimensionless quantities of a Problem, in SI units.
+/// Values in SI of the units in which a Problem is dimensionless.
 struct DrillingUnits {
     double time = 1;      ///< unit of time: t0, duration of the hammer force [s]
     double force = 1;     ///< unit of force: F0, mean hammer force [N]
@@ -44,11 +45,11 @@ struct DrillingUnits {
     double impulse() const { return force * time; }
     double energy() const { return force * length(); }
 };
-/// Returns the units of the dimensionless Problem of a scenario, in SI units.
+/// Returns the SI values of the units in which the Problem of a scenario is dimensionless.
 DrillingUnits drillingUnitsOf(const Scenario& scenario);
 
 /// Returns the dimensionless problem of a sequence of blows. `blow` is the single blow of the scenario, with
-/// its cones divided into uniform pieces. Requires that drillingRefusals() is empty.
+/// its conical sections divided into uniform pieces. Requires that drillingRefusals() is empty.
 DrillingProblem drillingProblemOf(const Scenario& scenario, Problem blow);
 
 }  // namespace drillwave

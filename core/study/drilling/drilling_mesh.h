@@ -15,10 +15,12 @@ struct DrillingMesh {
 };
 
 /// Returns the problem and grid of a scenario for a number of cells per duration t0 of the hammer force (see
-/// drillingGridOf()). Cones are divided into uniform pieces. Requires that drillingRefusals() is empty.
+/// drillingGridOf()). Conical sections are divided into uniform pieces. Requires that drillingRefusals() is
+/// empty.
 DrillingMesh drillingMeshOf(const Scenario& scenario, int cellsPerDuration);
 /// Returns the problem and grid for a comparison that estimates the error of the cells (see
-/// comparedDrillingGridOf()). Cones have fewer pieces if its cells are larger, more if they are smaller.
+/// comparedDrillingGridOf()). Conical sections have fewer pieces if the cells of that grid are larger, more
+/// if they are smaller.
 DrillingMesh comparedDrillingMeshOf(const Scenario& scenario, int cellsPerDuration);
 
 }  // namespace drillwave

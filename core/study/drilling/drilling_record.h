@@ -40,29 +40,30 @@ inline constexpr std::size_t mostDrillingInstants = 200'000;
 /// time.
 using DrillingProgress = std::function<void(long)>;
 
-/// Recorded result of a sequence of blows.
+/// Record of a sequence of blows: its blows, how it ended, balances, and data recorded on request.
 struct DrillingRecord {
     std::vector<DrillingBlow> blows;
     DrillingOutcome outcome = DrillingOutcome::done;
     Message reason;
     DrillingLedger ledger;
     double momentumResidual = 0;
-    /// Largest impulse on the struck face after its first separation from the hammer, as a share of the
-    /// hammer momentum. It is the maximum of DrillingMarch::lateShare() over all blows.
+    /// Largest impulse of the hammer on the string after their first separation, as a share of the hammer
+    /// momentum. It is the maximum of DrillingMarch::lateShare() over all blows.
     double lateShare = 0;
     std::vector<DrillingInstant> instants;
-    /// Natural logarithm of the growth of a small deviation during each blow; for the Lyapunov exponent.
+    /// Natural logarithm of the factor by which a small deviation of the motion grows, for each blow. Used
+    /// for the Lyapunov exponent; empty if that is not requested.
     std::vector<double> growths;
 };
 
-/// Default maximum work of one sequence of blows, in time steps times nodes of the string [cells × nodes].
+/// Default maximum work of one sequence of blows [time steps × nodes, which are ends of sections].
 inline constexpr double mostDrillingWork = 4e9;
 
-/// Length of a sequence of blows, and selection of the data recorded.
+/// Length of a sequence of blows, what is recorded of it, and limits of the computation.
 struct RecordLength {
     long blows;
-    /// Largest amount of computing [time steps × nodes of the network of waves]. A sequence estimated to need
-    /// more is abandoned after its first blows.
+    /// Maximum work [time steps × nodes, which are ends of sections]. A sequence estimated to need more is
+    /// abandoned after its first blows.
     double mostWork = mostDrillingWork;
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};
@@ -75,22 +76,24 @@ struct RecordLength {
     std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };
 
-/// Number of successive blows with growing gaps after which the bit is taken to have left the rock for good.
-/// The machine must also be pushed back on their average.
+/// Number of successive blows with growing gaps after which the bit may be taken to have left the rock for
+/// good. In addition, the feed impulse per blow must not exceed the mean impulse of the hammer in these
+/// blows.
 inline constexpr long growingBlows = 50;
 
-/// Returns J, the mean impulse on the rock of the last `last` blows, in the dimensionless units of Problem.
-/// Requires at least one blow.
+/// Returns J, the mean impulse that the hammer transfers to the string in the last `last` blows, in the
+/// dimensionless units of Problem. Requires at least one blow.
 double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last);
 
 /// Returns a message if a sequence of blows would need too much memory; empty otherwise.
 Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid);
 
-/// Returns a message if `blows` blows would need more than `mostWork` [cells × nodes]; empty otherwise.
-/// Requires that at least one blow is computed.
+/// Returns a message if `blows` blows, judged by those already computed, would need more than `mostWork`
+/// [time steps × nodes]; empty otherwise. Requires that at least one blow is computed.
 Message workProblem(const DrillingMarch& march, long blows, double mostWork);
 
-/// Returns the record of a sequence of blows, with the outcome if it ended early.
+/// Computes a sequence of blows and returns its record. DrillingRecord::outcome states whether it ended
+/// early, such as by a stop request.
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
                         const std::stop_token& stop, const DrillingProgress& progress);
 

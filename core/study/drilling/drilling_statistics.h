@@ -63,7 +63,8 @@ inline constexpr std::array<BlowQuantity, 13> blowColumns{{
     {"shank_offset", DrillingMeasure::length, &DrillingBlow::shankOffset},
 }};
 
-/// Quantities whose statistics are results, in the order of `blowColumns`.
+/// Quantities of a blow for which mean, standard deviation and quantiles are computed, in the order of
+/// `blowColumns`.
 inline constexpr auto blowQuantities = [] {
     constexpr auto count = std::ranges::count_if(blowColumns, &BlowQuantity::hasSpread);
     std::array<BlowQuantity, static_cast<std::size_t>(count)> quantities;
@@ -98,7 +99,7 @@ struct DrillingStatistics {
     std::array<int, 20> gapParts{};  ///< histogram of the fractional part of gap/d0, in 20 equal bins
     /// Kolmogorov–Smirnov distance, 0 … 1, of the fractional parts of gap/d0 from a uniform distribution.
     double ksDistance = 0;
-    /// Kolmogorov–Smirnov distance that 5 % of samples from a uniform distribution exceed.
+    /// Value of ksDistance that 5 % of samples of this size from a uniform distribution exceed.
     double ksLevel = 0;
     bool isSettled = true;  ///< whether the first and second half of the blows agree within three errors
 };

@@ -20,11 +20,11 @@ namespace drillwave {
 
 /// Dimensionless groups of a sequence of blows (drilling §5).
 struct DrillingGroups {
-    /// Feed number φ = Fe/(f I0), the effective feed force over the mean hammer force. For a drill string, J,
-    /// the mean rock impulse, replaces I0.
+    /// Feed number φ = Fe/(f I0), the effective feed force over the mean hammer force. For a drill string, I0
+    /// is replaced by J, the mean impulse that the hammer transfers.
     double phi = 0;
     double roundTrips = 0;  ///< n_b, round trips of a wave between two blows
-    /// Groups of machine and damper: mass, damping and stiffness; 0 without a machine.
+    /// Dimensionless mass μ of the machine, and damping ζ and stiffness κ of its damper; 0 without a machine.
     double mu = 0, zeta = 0, kappa = 0;
     Groups blow;
 };
@@ -39,18 +39,19 @@ struct Lyapunov {
 /// large.
 inline constexpr double coveringCells = 3;
 
-/// Safety factor of the stated error: multiplies the relative rounding of the interval between blows. That
-/// rounding has changed means by up to 180 times as much, which other cell sizes do not reveal.
+/// Safety factor of the stated error: multiplies the relative rounding of the interval between blows. Means
+/// have been observed to change by up to 180 times that rounding, which other cell sizes do not reveal.
 inline constexpr double coveringRounding = 300;
 
-/// Results requested in addition to the blows themselves. Each costs a further computation of the sequence.
+/// Selection of results of a sequence of blows in addition to the blows themselves, with limits. The cell
+/// error and the Lyapunov exponent each take one more computation of the sequence.
 struct DrillingRequest {
     /// Whether to estimate the error from cells of another size (see comparedDrillingGridOf()).
     bool cellError = true;
     bool lyapunov = true;
     bool blowAlone = true;  ///< whether to solve a single blow from rest for comparison
     std::optional<BlowRange> histories = {};
-    /// Maximum work of each computation of the sequence [cells × nodes].
+    /// Maximum work of each computation of the sequence [time steps × nodes, which are ends of sections].
     double mostWork = mostDrillingWork;
     /// Number of computations that may run at the same time, each on its own thread; does not change the
     /// results.
@@ -69,19 +70,24 @@ struct DrillingResult {
     DrillingOutcome outcome = DrillingOutcome::done;
     Message reason;  ///< reason for an outcome other than done; empty otherwise
     std::vector<DrillingBlow> blows;
-    /// States over time during the blows recorded in full (DrillingRequest::histories).
+    /// States of machine, rod and bit over time during the blows in DrillingRequest::histories; empty if none
+    /// were requested.
     std::vector<DrillingInstant> instants;
-    /// Statistics of the counted blows; empty if the motion is not bounded.
+    /// Statistics of the counted blows. Empty if the sequence is not complete, or if the blows push the
+    /// machine back.
     std::optional<DrillingStatistics> statistics;
-    /// Errors of the means from the cell size: three times the change with other cells; 0 if not requested.
+    /// Errors of the means from the time steps: three times the change with other cells, plus an allowance
+    /// for rounding of the interval between blows. If the other cells give another motion, its scatter is
+    /// added. 0 if not requested.
     std::array<double, blowQuantities.size()> cellErrors{};
     std::optional<Lyapunov> lyapunov;
     DrillingGroups groups;
     /// Single blow from rest for comparison; empty if not requested or not solved.
     std::optional<BlowAlone> alone;
-    double meanImpulse = 1;  ///< J, mean impulse on the rock per blow [units of Problem]
+    double meanImpulse = 1;  ///< J, mean impulse of the hammer per blow [units of Problem]
     DrillingLedger ledger;
-    /// Momentum that is not accounted for, as a share of the feed impulse N Fe/f.
+    /// Error of the momentum balance over all N blows, as a share of the feed impulse N Fe/f (effective feed
+    /// force Fe, blow frequency f).
     double momentumResidual = 0;
     double energyResidual = 0;    ///< energy that is not accounted for, as a share of the hammer work
     double frequencyUsed = 0;     ///< blow frequency after rounding the interval to whole cells [Hz]
@@ -93,21 +99,25 @@ struct DrillingResult {
 
     bool hasLoss = false;       ///< whether waves lose energy in the rod or string
     bool hasWholeTrips = true;  ///< whether the round-trip times of all sections are whole numbers of cells
-    /// Whether cells of another size give a qualitatively different motion.
+    /// Whether cells of another size give a qualitatively different motion, so that neither motion is
+    /// certain.
     bool cellsDecideMotion = false;
-    /// Returns the 95 % error of the mean of a quantity (index in blowQuantities). Includes batches, cells
-    /// and transient blows; empty if any of these is unknown.
+    /// Returns the 95 % error of the mean of a quantity (index in blowQuantities). It adds the scatter of
+    /// batches of blows, the effect of the cell size, and 2e-5 of the mean for the remaining transient
+    /// motion. Empty if only one blow is counted.
     std::optional<double> meanError(std::size_t quantity) const;
     const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }
 };
 
-/// Returns the number of blows in all computations of a study.
+/// Returns the number of blows in all computations of a study, including those for the cell error and the
+/// Lyapunov exponent.
 long foreseenBlows(const DrillingSettings& settings, const DrillingRequest& wants);
 
-/// Returns the number of instants that recording a range of blows gives.
+/// Returns the estimated number of recorded instants (DrillingResult::instants) for a range of blows.
 double foreseenInstants(const Scenario& scenario, const DrillingSettings& settings, const BlowRange& range);
 
-/// Returns the estimated work of all computations of a study [cells × nodes].
+/// Returns the estimated work of all computations of a study [time steps × nodes, which are ends of
+/// sections].
 double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingRequest& wants);
 
 /// Returns the result of a sequence of blows. If drillingRefusals() is not empty, the outcome is notSolved

@@ -6,17 +6,19 @@
 
 namespace drillwave {
 
-/// Work that one processor core of a typical computer does in a second [cells × nodes].
+/// Work that one processor core of a typical computer does in a second [time steps × nodes].
 inline constexpr double workOfSecond = 2e7;
 
-/// Returns the settings of a sequence in the window: the number of blows of the scenario; by default 300, of
-/// which 100 are transient.
+/// Returns the settings with which the window computes a sequence of blows: as in the scenario, by default
+/// 300 blows with 100 transient ones. The default is 1000 blows if the scenario has at least 300 transient
+/// ones.
 DrillingSettings windowSettingsOf(const Scenario& scenario);
 
-/// Returns a request for penetration and gap of a sequence with their errors, without the Lyapunov exponent.
+/// Returns the request for a quick sequence of blows: penetration and gap with their errors, but no Lyapunov
+/// exponent.
 DrillingRequest quickWants();
 
-/// Settings of a sequence of blows that the window computes without being asked, with the estimated time.
+/// Settings of a short sequence of blows that the window computes automatically, with the estimated time.
 struct QuickMarch {
     DrillingSettings settings;
     double seconds = 0;  ///< estimated computing time on a typical computer [s]
@@ -25,8 +27,8 @@ struct QuickMarch {
     bool isWithinTime = true;
 };
 
-/// Returns the settings of windowSettingsOf(), with the number of blows reduced to what fits into `seconds`
-/// [s], but not below 100. Requires that drillingRefusals() is empty.
+/// Returns the settings of windowSettingsOf() with fewer blows if they would take longer than `seconds` [s],
+/// but at least 100 blows. Requires that drillingRefusals() is empty.
 QuickMarch quickMarchOf(const Scenario& scenario, double seconds = 1);
 
 }  // namespace drillwave

@@ -27,11 +27,11 @@ std::string_view name(UnresolvedReason reason);
 enum class FeedModel { constantForce, damper };
 /// Returns the name as in JSON: "constant_force" or "damper".
 std::string_view name(FeedModel model);
-/// Returns the feed model of a scenario: a damper if the scenario has a machine mass, otherwise a constant
-/// force.
+/// Returns the feed model of a scenario: a damper if the scenario has a machine mass and a damper, otherwise
+/// a constant force.
 FeedModel feedModelOf(const Scenario& scenario);
 
-/// Means of a sequence of blows with statistics, in SI units.
+/// Means of a sequence of blows by which feed forces are compared, in SI units.
 struct Sequence {
     SequenceMean penetration;      ///< mean penetration per blow [m]
     SequenceMean penetrationRate;  ///< mean penetration rate [m/s]

@@ -21,8 +21,7 @@ namespace drillwave {
 enum class GapOutput : std::size_t { cor, peakForce, efficiency };
 inline constexpr std::size_t gapOutputCount = valueCount<GapOutput>;
 
-/// Maximum length of the hammer force, counted in returns of its wave (round trips of the rod), for a study
-/// of all gaps.
+/// Maximum duration of the hammer force for a study of all gaps, in round trips of a wave in the rod.
 inline constexpr double maximumGapPeriodStart = 10'000;
 
 /// Maximum work of a gap curve that is computed as part of another result, in wave pieces of all its blows.
@@ -38,9 +37,9 @@ inline constexpr const char* tooManyPieces =
     translatable("the waves of its blows at all gaps have more polynomial pieces than a quick study permits");
 
 /// Returns the dimensionless gap δ = d/d0 beyond which results repeat with period 1. It is 0 if the hammer
-/// force ends before the first reflection returns. Otherwise it is the next whole number beyond which all
-/// contact is late enough (theory §4). Infinity if it would exceed maximumGapPeriodStart. A tail of less than
-/// 1e-13 of the impulse is neglected.
+/// force ends before its first reflection returns. Otherwise it is a whole number: for larger gaps, the
+/// hammer force ends within one round trip after the first contact (theory §4). Infinity if the force lasts
+/// more than maximumGapPeriodStart round trips. A tail of less than 1e-13 of the impulse is neglected.
 double gapPeriodStart(const Problem& problem);
 
 /// Interval of gaps over which all results are smooth functions of the gap. The functions are ordered as in
@@ -53,14 +52,16 @@ struct GapCurve {
     double start = 0;
     double periodStart = 0;
     double end = 0;
-    /// Whether the results depend on the gap at all; false for the reference case.
+    /// Whether the results depend on the gap at all; false for the reference case, a rod that arrives without
+    /// waves.
     bool dependsOnGap = true;
     /// Number of outputs in each piece: 1 if only e was requested, otherwise gapOutputCount.
     std::size_t outputCount = 0;
-    /// Smooth pieces, ascending and contiguous except for slivers of width 1e-12 around kinks.
+    /// Pieces of the curve, ascending. The results are smooth in each piece, except in slivers of width 1e-12
+    /// around kinks.
     std::vector<GapPiece> pieces;
-    /// Gaps δ at which the order of contact events changes, and the ends of the periods of e, which repeats
-    /// when δ rises by 1.
+    /// Gaps δ at which the order of contact events changes, and the ends of the periods of e, one at every
+    /// whole number.
     std::vector<double> borders;
     std::uint64_t solves = 0;  ///< number of blows solved
     double solverError = 0;    ///< largest error bound of the solver for e, over all blows
@@ -79,20 +80,22 @@ struct GapCurve {
 /// Callback for progress, called from time to time with the completed share of the work, 0 … 1.
 using GapProgress = std::function<void(double)>;
 
-/// Returns outputs as functions of the gap δ over [start, periodStart + 1), replacing the gap of `problem`.
-/// Requires 0 ≤ start ≤ periodStart.
+/// Returns outputs as functions of the gap δ, which replaces the gap of `problem`. The range is from `start`,
+/// rounded down to a whole number, to periodStart + 1. Requires 0 ≤ start ≤ periodStart.
 /// `detail` selects the outputs: cor gives only e, events gives all. Pieces end where the order of events at
 /// the bit changes, bracketed to 1e-12. They are halved until polynomials agree with the solver to 1e-10,
-/// absolute for e and efficiency, relative for the peak force. After `mostPieces` wave pieces in all blows,
-/// the remaining gaps have no result.
+/// absolute for e and efficiency, relative for the peak force. If all blows together exceed `mostPieces` wave
+/// pieces (the solver's unit of work), the remaining gaps have no result.
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Returns outputs as functions of the gap over one period only, with start = periodStart.
+/// Returns outputs as functions of the gap δ over one period only, [periodStart, periodStart + 1). Other
+/// arguments are as in the first gapCurve().
 GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Returns the gaps δ at which to draw the curve: the ends of its pieces except slivers, at most 1/500 apart.
+/// Returns the gaps δ at which to draw the curve: the ends of its pieces and points between them, at most
+/// 1/500 apart. Slivers around kinks are left out.
 std::vector<double> sampleGaps(const GapCurve& curve);
 
 }  // namespace drillwave

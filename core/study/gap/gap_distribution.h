@@ -27,10 +27,11 @@ class GapDistribution {
 
     /// Returns the probability density at a gap of the curve, per unit of δ = d/d0.
     double density(double gap) const;
-    /// Returns the probability, 0 … 1, that the gap folded into the curve is at most `gap`.
+    /// Returns the probability, 0 … 1, that the gap is at most `gap`. Gaps beyond the curve are first shifted
+    /// back into it by whole periods.
     double cumulative(double gap) const;
     /// Returns ascending gaps that divide the range of the curve into intervals for numerical integration.
-    /// Within each interval the density varies smoothly.
+    /// The density is smooth within each interval.
     const std::vector<double>& cuts() const { return m_cuts; }
 
   private:

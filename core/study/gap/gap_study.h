@@ -32,12 +32,13 @@ struct GapStudy {
 /// Returns why the results of a scenario are not periodic in the gap; empty if they are.
 Message whyNoPeriod(const Scenario& scenario);
 
-/// Returns why a scenario cannot be studied over all gaps; empty if it can.
+/// Returns why a scenario cannot be studied over all gaps, or why `normal` is not a valid distribution; empty
+/// if it can.
 Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& normal = {});
 
 /// Returns all outputs over the gap with their statistics. The gap of the scenario itself is ignored. The
-/// blows of the curve take at most `mostPieces` wave pieces in total. If gapProblem() returns a message, the
-/// curve is empty and has that message as its reason.
+/// work of all blows is limited to `mostPieces` wave pieces (the solver's unit of work). If gapProblem()
+/// returns a message, the curve is empty and has that message as its reason.
 GapStudy studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
                   const std::stop_token& stop = {}, const GapProgress& progress = {},
                   long mostPieces = anyNumberOfPieces);
@@ -49,7 +50,8 @@ struct GapSample {
 };
 
 /// Passes quick previews of the curve to `show`: outputs at 5, 9, 17 and 33 evenly spaced gaps of the period,
-/// ascending. Returns after the first five if the whole curve will only take a moment, or when stopped.
+/// ascending. Gaps at which the blow is not solved are left out. Passes nothing if the whole curve only takes
+/// a moment. Returns early after a stop request.
 void previewGaps(const Scenario& scenario, const std::stop_token& stop,
                  const std::function<void(const std::vector<GapSample>&)>& show);
 

@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Returns how well the model predicts the force wave in the bar behind the specimen. It is compared with the
-/// gauge there, `distance` from the specimen [m], within the time window of the fit. Empty if the record has
-/// no such gauge or ends too early.
+/// Returns how well the model predicts the wave in the bar behind the specimen. It is compared with the gauge
+/// there, `distance` [m] from the specimen, in the time window of the fit. Empty if the record has no such
+/// gauge or ends too early.
 std::optional<BlindCheck> blindCheck(const GaugeRecord& given, double distance, RecordModel& model,
                                      const LawFit& fit);
 

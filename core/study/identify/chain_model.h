@@ -13,9 +13,11 @@ namespace drillwave {
 struct EndSection {
     double impedance = 1;    ///< characteristic impedance Z [N s/m], > 0
     double transitTime = 0;  ///< one-way transit time L/c [s], > 0
-    /// Share of a wave amplitude that remains after one passage, in (0, 1]; 1 without attenuation.
+    /// Share of a wave amplitude that remains after one passage through the section, in (0, 1]; 1 without
+    /// attenuation.
     double passing = 1;
-    /// Index of the section of the string towards the bit that this is a piece of, from 0.
+    /// Index of the section of the string to which this piece belongs, counted from 0 from the gauge towards
+    /// the bit.
     std::size_t source = 0;
 };
 
@@ -25,12 +27,13 @@ struct EndJoint {
     double passing = 1;  ///< share of a wave amplitude that the joint transmits, √(1 − η)
 };
 
-/// Model of everything between the end of the gauge's section and the rock, in SI units. The incident wave f
-/// enters at the near end and the returning wave b leaves there. Waves returning from the hammer side of the
+/// Model of everything between the section with the gauge and the rock, in SI units. The incident wave f
+/// enters at its near end, and the returning wave b leaves there. Waves returning from the hammer side of the
 /// gauge arrive too late to matter.
 struct RockEnd {
     double impedance = 1;  ///< characteristic impedance Z of the gauge's section [N s/m]
-    /// Sections in order towards the rock; empty if the gauge's section ends at the rock.
+    /// Sections between the gauge's section and the rock, in this order; empty if the gauge's section ends at
+    /// the rock.
     std::vector<EndSection> sections;
     std::vector<EndJoint> joints;  ///< joints, one at the near end of each section
     double bitMass = 0;            ///< lumped mass of the bit [kg]
@@ -41,8 +44,8 @@ struct RockEnd {
     double transitTime() const;
 };
 
-/// Solver for the wave b that returns at the end of the gauge's section when the wave f arrives there. Both
-/// are sampled at times n·step. Buffers are reused between runs.
+/// Solver for the wave b that returns from the rock to the end of the gauge's section when the wave f arrives
+/// there. Both are sampled at times n·step. Buffers are reused between runs.
 class ChainModel {
   public:
     /// Requires a time step `step` > 0 [s]. Sections shorter than a step are treated as one step long.
@@ -71,7 +74,7 @@ class ChainModel {
     struct Line {
         std::vector<double> forward, backward;  ///< waves that enter at the near and at the far end [N]
         double weights[4];
-        /// Number of steps between now and the second of the four samples that are interpolated.
+        /// Number of whole time steps from the second of the four interpolated samples until now.
         std::size_t whole;
         double passing;
     };

@@ -10,24 +10,27 @@
 
 namespace drillwave {
 
-/// Autoregressive noise model n_i = Σ a_j n_(i−j) + e_i, with normally distributed e. Below the lowest
-/// frequency that the quiet samples resolve, noise with a spectral density ∝ 1/f is added.
+/// Noise model of a strain gauge: n_i = Σ a_j n_(i−j) + e_i with normally distributed e_i (autoregressive).
+/// It is fitted to the samples before the blow. Below the lowest frequency that these samples resolve, noise
+/// with a spectral density ∝ 1/f is added.
 class GaugeNoise {
   public:
     GaugeNoise() = default;
-    /// Fits the model to the samples before the front, `step` apart [s], after subtracting their mean. The
-    /// standard deviation is at least `least` > 0, in the unit of the samples.
+    /// Fits the noise model to `quiet`, the samples before the front of the blow, minus their mean. `step` is
+    /// the time between samples [s]. The standard deviation is at least `least` > 0, in the unit of the
+    /// samples.
     GaugeNoise(std::span<const double> quiet, double step, double least);
 
-    /// Returns the standard deviation of a sample.
+    /// Returns the standard deviation of the noise in one sample, in the unit of the samples.
     double deviation() const { return m_deviation; }
-    /// Returns the long-run standard deviation, σ_e/(1 − Σa), which governs means over many samples.
+    /// Returns the long-run standard deviation σ_e/(1 − Σa_j), limited to plausible values. The mean of a
+    /// large number n of samples has the standard deviation longRun()/√n.
     double longRun() const { return m_longRun; }
     /// Returns the standard deviation of the mean of `span` successive samples, according to this model.
     double deviationOfMean(std::size_t span) const;
 
-    /// Returns `count` random samples of the noise. The mean of the first `quiet` samples is subtracted from
-    /// all.
+    /// Returns `count` random samples of the noise. As for the zero level of a record, the mean of the first
+    /// `quiet` samples is subtracted from all.
     std::vector<double> draw(std::size_t count, std::size_t quiet, std::mt19937_64& random) const;
 
   private:

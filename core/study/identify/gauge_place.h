@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Section of the string towards the bit, whose sizes a fit may vary within their tolerances.
+/// Section of rod or string whose sizes (length, diameters) a fit may change within their tolerances.
 struct SizedSection {
     std::string name;  ///< name for messages, such as "bit head"; "section 7" if the section has no name
     /// Key of the section in scenario files without its field, such as "string.bit_head" or "string.7".
@@ -20,12 +20,12 @@ struct SizedSection {
     double length = 0;     ///< length of the section [m]
     double impedance = 0;  ///< mean characteristic impedance [N s/m]
     bool isGivenByArea = false;
-    /// Outer and inner diameter at the near end [m]. If only the area is given, the diameter is that of a
-    /// solid bar.
+    /// Outer and inner diameter [m], at the hammer end of a conical section. If only the area is given,
+    /// `diameter` is that of a solid bar.
     double diameter = 0, bore = 0;
 };
 
-/// Position of a gauge on the uniform part of a section.
+/// Position of a strain gauge on a uniform section of rod or string.
 struct GaugePlace {
     SizedSection section;                  ///< section that the gauge is on
     std::size_t index = 0;                 ///< index of that section, from 0 at the struck end
@@ -40,8 +40,8 @@ struct GaugePlace {
     RockEnd end;                           ///< the same sections in the form used by the wave model
 };
 
-/// Returns the position of a gauge at a distance [m] from the bit face. Empty if that point is not on the
-/// string or is on a cone. Requires a valid scenario with units.
+/// Returns the position of a strain gauge on rod or string at a distance [m] from the bit face. Empty if that
+/// point is not on the string or is on a cone. Requires a valid scenario with units.
 std::optional<GaugePlace> gaugePlace(const Scenario& scenario, double distance);
 
 }  // namespace drillwave

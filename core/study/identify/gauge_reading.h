@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-/// Position of a gauge and the table column (or two columns of a pair) that holds its signal.
+/// Position of a strain gauge, and the table column with its signal (two columns for a pair of gauges).
 struct GaugeChoice {
     std::string column;    ///< column of the signal, by name, or by number from 1
     std::string opposite;  ///< column of a gauge on the opposite side of the rod; empty for a single gauge
@@ -25,27 +25,29 @@ struct GaugeChoice {
     bool operator==(const GaugeChoice&) const = default;
 };
 
-/// Returns why two gauges cannot be used together; empty if they can, or for a single gauge. `places` are the
-/// positions of `gauges`, in the same order.
+/// Returns the reason why two gauges cannot be used together; empty if they can, or for a single gauge.
+/// `places` are the positions of `gauges`, in the same order.
 Message gaugePairProblem(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places);
 
-/// Returns the positions of the gauges that are on a uniform section of rod or string, in the same order.
+/// Returns the positions of the gauges on rod or string, in the same order. Gauges that are not on a uniform
+/// section are left out.
 std::vector<GaugePlace> gaugePlaces(const Scenario& scenario, const std::vector<GaugeChoice>& gauges);
 
-/// Record of strain gauges, or the problem why it could not be read.
+/// Record of strain gauges read from a table, or the reason why it could not be read.
 struct GaugeReading {
     GaugeRecord record;
     /// Reason why the table cannot be read, such as a missing column; empty if it was read.
     Message problem;
     bool isWrongOption = false;  ///< whether the problem is in a command option rather than in the table
-    /// Codes of facts that the table leaves open, such as "unit" or "rate" (see SignalReading).
+    /// Codes of facts that the table does not state, such as "unit" or "rate" (see SignalReading). The user
+    /// must give them.
     std::vector<std::string> questions;
 };
 
-/// Returns the record read from a table. Strains or stresses are converted to forces of the gauge's section.
-/// Gauges are sorted by distance from the bit, nearest first; `places` are the positions of `gauges` as
-/// given.
-/// `behind` is the column of a gauge on a second bar behind the specimen; empty if there is none.
+/// Returns the record read from a table of samples. Strains or stresses are converted to forces in the
+/// section with the gauge. `places` are the positions of `gauges`, in the same order. In the record, gauges
+/// are sorted by distance from the bit, nearest first.
+/// `behind` names the column of a gauge on a second bar behind the specimen; empty if there is none.
 GaugeReading readGauges(std::istream& in, const SignalOptions& options,
                         const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places,
                         const std::stop_token& stop = {}, const std::string& behind = {});

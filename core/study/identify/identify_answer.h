@@ -16,11 +16,11 @@
 
 namespace drillwave {
 
-/// Verdict whether the model agrees with the record.
+/// Verdict on how well the model agrees with the record: well, with reservations (`strained`), or not.
 enum class ModelVerdict { accepted, strained, rejected };
 std::string_view name(ModelVerdict verdict);
 
-/// Verdict how well the record determines a parameter.
+/// Verdict on how well the record determines a parameter.
 enum class ParameterVerdict {
     identified,  ///< interval within ±20 %; for a gap within ±0.1 mm or ±20 %
     uncertain,   ///< interval wider than ±20 %; for a gap also wider than ±0.1 mm
@@ -30,14 +30,14 @@ enum class ParameterVerdict {
 };
 std::string_view name(ParameterVerdict verdict);
 
-/// Contribution of one source of error to the half-width of a parameter.
+/// Contribution of one source of error to the 95 % half-width of one parameter.
 struct BudgetRow {
-    /// Source of the error: "diameter", "length", "gain", "place", "step", "tail", "timing", "material",
-    /// "law", …
+    /// Source of the error: "diameter", "length", "gain", "place" (gauge position), "step" (resolution of the
+    /// recorder), "tail" (stray waves after the blow), "timing", "material", "law", …
     std::string source;
     std::string key;       ///< key of option --known that sets this tolerance; empty if there is none
     double tolerance = 0;  ///< 95 % tolerance of the source, in `unit`
-    std::string unit;      ///< unit of the tolerance, "m" or "1"
+    std::string unit;      ///< unit of the tolerance: "m", "m^2", "N", "s" or "1"
     bool isAssumed = false;
     double effect = 0;  ///< effect on this parameter as a 95 % half-width: relative, for a gap in metres
 };
@@ -48,10 +48,10 @@ struct IdentifiedParameter {
     double value = 0;  ///< identified value, in SI units
     std::optional<double> low, high;
     ParameterVerdict verdict = ParameterVerdict::notSeen;
-    /// Reason for the verdict notSeen: "no_contact", "front", "no_unloading", "no_corner" or "noise". Empty
-    /// for other verdicts.
+    /// Reason for the verdict notSeen: "no_contact", "front" (rock too stiff for the time step),
+    /// "no_unloading", "no_corner" or "noise". Empty for other verdicts.
     std::string reason;
-    /// 95 % half-width of the natural logarithm of the parameter; of a gap itself, in metres.
+    /// 95 % half-width of the natural logarithm of the parameter; for the gap, of its value in metres.
     double halfWidth = 0;
     double noise = 0;  ///< part of `halfWidth` that is caused by noise, in the same unit
     std::vector<BudgetRow> budget;
@@ -63,28 +63,29 @@ struct TriedLaw {
     std::string law;    ///< name of the law: "bilinear", "corner", "crater", "power", "dashpot" or "jump"
     double misfit = 0;  ///< m, the rms misfit beyond noise, as a share of the peak force
     double ratio = 0;   ///< q, the ratio of the rms residual to that expected from noise
-    /// Fitted parameters: pairs of key and value in SI units.
+    /// Fitted parameters of this law: pairs of key and value in SI units.
     std::vector<std::pair<std::string, double>> parameters;
 };
 
-/// Fitted zero line of one gauge; values are shares of the peak force.
+/// Fitted zero line of one gauge. Its values are shares of the peak force.
 struct ZeroLine95 {
     double offset = 0;
     double slope = 0;  ///< slope of the zero line, as a share of the peak force per millisecond
 };
 
-/// Figures that describe how well model and record agree.
+/// Figures that describe how well the model and the record of an identification agree.
 struct MatchFigures {
     double misfit = 0, noise = 0, expected = 0, ratio = 0;
     /// Autocorrelation of neighbouring residuals of the returning wave b, −1 … 1; about 0 for pure noise.
     double autocorrelation = 0;
     std::size_t samples = 0;  ///< number of samples of the returning wave b that are compared
     double from = 0, to = 0;  ///< start and end of the compared window, after the front [s]
-    /// Round-trip time between gauge and rock [s], as fitted and as computed from the scenario file.
+    /// Round-trip time of a wave between gauge and rock [s]: the fitted one, and the one computed from the
+    /// scenario file.
     double roundTrip = 0, roundTripOfFile = 0;
     double shiftOfSecond = 0, gainOfSecond = 1;
-    /// Amplitudes as shares of the peak force: waves between blow and reflection, unexplained waves, waves
-    /// before the front, bending.
+    /// Amplitudes as shares of the peak force. They belong to stray waves between blow and reflection,
+    /// unexplained waves, waves before the front, and bending.
     double quiet = 0, unexplained = 0, before = 0, bending = 0;
     bool isClipped = false;
     double step = 0;  ///< smallest step between recorded values, as a share of the peak force
@@ -92,36 +93,39 @@ struct MatchFigures {
     double droop = 0;         ///< droop of the amplifier: 1 ms divided by its time constant
     double gainOfReturn = 1;  ///< gain for the returning wave divided by that for the incident wave
     std::optional<double> dispersion, dispersionHalfWidth;
-    /// Time of the fitted jump of the zero level, after the front [s]; empty without a jump.
+    /// Time of the fitted jump of the gauge's zero level, measured from the front of the blow [s]; empty
+    /// without a jump.
     std::optional<double> jumpTime;
 };
 
-/// Change of one section size that would explain the record better.
+/// Change of one size of a section (length, diameter or area) that would explain the record better.
 struct SizeOff {
     std::string key;
     double change = 0;  ///< change of a length or diameter [m], or of an area [m²]
 };
 
-/// Waves and rock response over time, for plots and files. Times are those of the record [s], forces are in
-/// newtons.
+/// Measured and modelled waves and the response of the rock over time, for plots and files. Times are those
+/// of the recording [s], forces are in newtons.
 struct MatchCurves {
     std::vector<double> time, incident, measured, model, residual;
-    /// Penetration [m] and forces [N] at the rock, at the same times.
+    /// Penetration [m], and measured and modelled force at the rock [N], at the same indices as `time`. They
+    /// are shifted in time by the travel of the wave from the rock to the gauge.
     std::vector<double> penetration, force, modelForce;
     double front = 0;        ///< time at which the front of the blow reaches the gauge near the bit [s]
     double incidentEnd = 0;  ///< time at which the incident wave ends at that gauge [s]
-    /// Time after which the gauge is quiet until the reflection arrives [s]; not used with two gauges.
+    /// Time after which the gauge shows no more of the blow until the reflection arrives [s]; not used with
+    /// two gauges.
     double quietFrom = 0;
 };
 
-/// Comparison of the predicted wave in the bar behind the specimen with a gauge there that the fit did not
+/// Comparison of the predicted wave in the bar behind the specimen with a gauge there, which the fit did not
 /// use.
 struct BlindCheck {
     double error = 0;  ///< rms of the difference, as a share of the largest measured value
-    /// Delay of the measured wave behind the predicted one [s]; positive if the measured wave is later.
+    /// Time by which the measured wave is later than the predicted one [s]; negative if it is earlier.
     double shift = 0;
-    /// Factor of the predicted wave that fits the measured one best. Away from 1, the gains of the two gauges
-    /// or the areas of the two bars differ.
+    /// Factor on the predicted wave that fits the measured one best. If it is far from 1, the gains of the
+    /// two gauges or the areas of the two bars differ.
     double gain = 1;
     double scaledError = 0;  ///< like `error`, for the prediction times `gain`
 };
@@ -142,16 +146,17 @@ struct IdentifiedLaw {
 struct RecordAnswer {
     std::string file;
     std::size_t blow = 0;  ///< index of the blow in the record, from 0
-    /// Reason why the record cannot be used; the other results are then invalid. Empty otherwise.
+    /// Reason why the record cannot be used; the other results are then not valid. Empty if it can be used.
     std::optional<RecordRefusal> refusal;
     ModelVerdict model = ModelVerdict::rejected;
-    /// Law of the result: "bilinear", "corner", or "file" for the law of the scenario file.
+    /// Rock law of the result: "bilinear", "corner", or "file" for the law of the scenario file.
     std::string law;
     std::vector<IdentifiedParameter> parameters;
-    /// Covariance of ln k, ln γ, gap [m], ln F1 and ln s1, in the order of `parameters`.
+    /// Covariance of the parameters, in the order of `parameters`. They are ln k (stiffness), ln γ (gamma),
+    /// gap [m] and, with a corner, ln F1 (its force) and ln s1 (slope beyond).
     std::vector<std::vector<double>> covariance;
-    /// Changes of ln k, ln γ, gap [m], ln F1 and ln s1 by error sources common to all records. They are 95 %
-    /// half-widths, one row for each source.
+    /// Changes of the parameters (as in `covariance`) by error sources common to all records, such as
+    /// tolerances. They are 95 % half-widths, one row for each source.
     std::vector<std::vector<double>> common;
     MatchFigures match;
     std::vector<TriedLaw> laws;
@@ -160,26 +165,28 @@ struct RecordAnswer {
     MatchCurves curves;
     int sign = 1;
     double peak = 0;  ///< peak force of the incident wave [N]
-    /// Distance of the near gauge from the bit face that fits the record best [m].
+    /// Distance from the bit face at which the gauge near the bit fits the record best [m].
     double distanceThatFits = 0;
     double impedance = 0;  ///< characteristic impedance Z of the gauge's section [N s/m]
     std::optional<BlindCheck> check;
-    /// Whether this is a preliminary result: other laws are still to be tried, which may widen the intervals.
+    /// Whether this is a preliminary result. Other rock laws are still to be tried, which may widen the
+    /// intervals.
     bool isFirst = false;
 
     bool has(std::string_view remark) const;
     const IdentifiedParameter* find(std::string_view key) const;
     bool hasTwoGauges() const { return match.zero.size() > 1; }
-    /// Returns whether the section with the gauge ends at the rock. Only then is the sum of incident and
-    /// returning wave the force on the rock.
+    /// Returns whether the section with the gauge ends at the rock. If so, the sum of incident and returning
+    /// wave is the force on the rock.
     bool hasGaugeAtRock() const;
-    /// Returns the loading curve; empty if no stiffness was found.
+    /// Returns the identified loading curve of the rock; empty if no stiffness was found.
     std::optional<IdentifiedLaw> loadingLaw() const;
-    /// Returns times from the front [s] and forces [N] ≥ 0 of the incident wave, from its front to its end.
+    /// Returns the incident wave as pairs of time from its front [s] and force [N] ≥ 0, from its front to its
+    /// end.
     std::vector<std::pair<double, double>> incidentWave() const;
-    /// Returns whether the result contains information about the rock. This requires that the model is not
-    /// rejected and that stiffness or gamma is identified or bounded. Also true if the law of the scenario
-    /// file was used instead of a fitted one.
+    /// Returns whether the result contains information about the rock. The model must not be rejected, and
+    /// stiffness or gamma must be identified or bounded. With the law of the scenario file, it is enough that
+    /// the model is not rejected.
     bool saysSomething() const;
 };
 

@@ -16,9 +16,10 @@ namespace drillwave {
 struct GaugeChannel {
     std::string name;     ///< name of the channel, such as "near"; "top+bottom" for a pair
     double distance = 0;  ///< distance from the bit face [m], > 0
-    /// Force [N], for a pair the mean of both; compression may have either sign.
+    /// Force at the gauge [N], for a pair the mean of both. Compression may have either sign.
     std::vector<double> force;
-    /// Half the difference of the two gauges of a pair [N]; empty for a single gauge.
+    /// Half the difference between the two gauges of a pair on opposite sides of the rod (bending) [N]; empty
+    /// for a single gauge.
     std::vector<double> opposite;
 };
 
@@ -45,11 +46,13 @@ enum class DispersionChoice {
     none,  ///< no dispersion (plane waves)
 };
 
-/// 95 % tolerance of a value that the record does not determine, as given by option --known.
+/// 95 % tolerance of a value that the record cannot determine, as given by option --known.
 struct KnownTolerance {
-    /// Key of the value: "gain", "zero", "gauge", "rod.diameter", "string.bit_head.length", …
+    /// Key of the value: "gain" (amplifier), "zero" (zero line), "gauge" (position), "rod.diameter",
+    /// "string.bit_head.length", …
     std::string key;
-    /// Tolerance > 0: relative for gain and zero, [m] for gauge, otherwise in the SI unit of the parameter.
+    /// Tolerance > 0. It is relative for the keys "gain" and "zero", in [m] for "gauge", otherwise in the SI
+    /// unit of the parameter.
     double tolerance = 0;
     bool operator==(const KnownTolerance&) const = default;
 };
@@ -61,11 +64,13 @@ struct IdentifyQuestion {
     DispersionChoice dispersion = DispersionChoice::fit;
     bool barBehind = false;  ///< whether the rock is a specimen between two long, identical bars
     bool allBlows = false;   ///< whether every blow in a record is evaluated; otherwise only the first
-    /// End of the evaluated window, after the reflection arrives [s]; empty for the default.
+    /// End of the evaluated time window, measured from the arrival of the reflection [s]; empty for the
+    /// default.
     std::optional<double> end;
     std::vector<KnownTolerance> known;
     std::uint64_t seed = 1;
-    /// Distance from the specimen of the gauge on the bar behind it [m]; empty without that gauge.
+    /// Distance [m] from the specimen to the gauge on the second bar behind it; empty if there is no such
+    /// gauge.
     std::optional<double> checkDistance;
 };
 

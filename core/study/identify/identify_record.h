@@ -12,12 +12,12 @@
 
 namespace drillwave {
 
-/// Callback that receives a preliminary result of a record.
+/// Callback that receives the preliminary result of a record, before other rock laws are tried.
 using ShowAnswer = std::function<void(RecordAnswer)>;
 
-/// Returns the result of one blow (index from 0) of a record. `places` are the positions of its gauges,
-/// nearest to the bit first, in the order of the record. After a stop request, the result must not be used.
-/// `showFirst` receives the result of the bilinear law, unless that is rejected, before other laws are tried.
+/// Identifies the rock from one blow (index from 0) of a record and returns the result. `places` are the
+/// positions of the gauges, nearest to the bit first. `showFirst` receives the result of the bilinear law,
+/// unless that is rejected, before other laws are tried. After a stop request, the result must not be used.
 RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& record,
                             const std::vector<GaugePlace>& places, std::size_t blow,
                             const std::stop_token& stop, const ShowAnswer& showFirst = {});

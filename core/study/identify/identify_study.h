@@ -19,57 +19,59 @@
 
 namespace drillwave {
 
-/// Range of a rock parameter expected in the next blow at the same place or hole (theory of identification
-/// §9).
+/// Rock parameter expected in the next blow at the same place or hole, with its range (theory of
+/// identification §9).
 struct NextBlowParameter {
     std::string key;
     double value = 0, low = 0, high = 0;  ///< median and 95 % limits for the next blow, in SI units
-    /// Scatter τ between blows: standard deviation of the logarithm, for a gap in metres; 0 if none is
-    /// detected.
+    /// Scatter τ of the parameter between blows: standard deviation of its logarithm, or of a gap itself [m].
+    /// 0 if no scatter is detected.
     double scatter = 0;
     bool hasChange = false;  ///< whether the records differ by more than their errors
 };
 
-/// Recommendation of the one measurement that would reduce the uncertainty most.
+/// Recommendation of the one measurement that would reduce the uncertainty of the identified rock most.
 struct NextMeasurement {
-    /// Source of the error to reduce: a source of BudgetRow, "noise" or "unexplained_wave".
+    /// Name of the error to reduce: one of BudgetRow::source such as "diameter", or "noise".
     std::string source;
     std::string key;  ///< key of option --known that sets this tolerance; empty if there is none
-    /// Tolerance to reach, in `unit`; 0 if the source has none. The tolerance of the largest source makes it
-    /// equal to the second; no tolerance is below a fifth of the present one.
+    /// Tolerance that the measurement should reach, in `unit`; 0 if the source has none. For the largest
+    /// source of error, it makes the effect as small as that of the second largest. It is at least about a
+    /// fifth of the present tolerance.
     double tolerance = 0;
     std::string unit;
     std::string parameter;  ///< key of the parameter whose half-width decreases most
-    /// Half-width of that parameter after the measurement: of the logarithm, for a gap in metres.
+    /// 95 % half-width of `parameter` expected after the measurement, for its natural logarithm.
     double halfWidth = 0;
 };
 
 struct IdentifyFindings {
     std::vector<RecordAnswer> records;
-    /// Parameters expected in the next blow, from several records that are not rejected; empty otherwise.
+    /// Rock parameters expected in the next blow at the same place. Empty with fewer than three usable
+    /// records.
     std::vector<NextBlowParameter> nextBlow;
     /// Codes of warnings about all records together, such as "few_records".
     std::vector<std::string> remarks;
     bool isStopped = false;
 
-    /// Returns the first record that is neither refused nor rejected. If there is none, returns the first
-    /// that is not refused, otherwise the first.
+    /// Returns the record that represents all: the first that is neither refused nor rejected. If there is
+    /// none, it is the first not refused, otherwise the first.
     const RecordAnswer& main() const;
     /// Returns the number of records with which the model agrees: neither refused nor rejected.
     std::size_t agreeingCount() const;
     bool saysSomething() const;
 };
 
-/// Returns the problems of gauge positions and tolerances, found before anything is computed; empty if there
-/// are none.
+/// Returns the problems of gauge positions and of option --known, found before anything is computed; empty if
+/// there are none.
 std::vector<Message> identifyProblems(const IdentifyQuestion& question);
 
-/// Callback with the records identified so far, of which the last one is new.
+/// Callback after each record, called with the results of all records so far; the last one is new.
 using TellIdentified = std::function<void(const IdentifyFindings&)>;
 
-/// Returns the results of all records. They do not depend on the number of threads `jobs` (≥ 1). `tell` is
-/// called on the calling thread after each record. `showFirst` receives preliminary results from any thread
-/// (see identifyRecord()).
+/// Identifies the rock from all records and returns the results. They do not depend on the number of threads
+/// `jobs` (≥ 1). `tell` is called on the calling thread after each record. `showFirst` receives preliminary
+/// results from any thread (see identifyRecord()).
 IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs = 1, const std::stop_token& stop = {},
                              const TellIdentified& tell = {}, const ShowAnswer& showFirst = {});
 
@@ -77,10 +79,11 @@ IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs = 1, con
 /// is rejected.
 std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer);
 
-/// Random samples of rock parameters; each row is a possible set of values. With several records, the rows
-/// are for the next blow.
+/// Random samples of rock parameters for use as uncertain inputs; each row is a possible set of values. With
+/// several records, the rows apply to the next blow.
 struct PosteriorDraws {
-    /// Keys of the parameters, all identified or uncertain; one column each.
+    /// Keys of the sampled parameters, one for each column of `rows`. Only parameters with the verdict
+    /// identified or uncertain are sampled.
     std::vector<std::string> keys;
     std::vector<std::vector<double>> rows;  ///< values in SI units, indexed [row][parameter]
 };
@@ -91,14 +94,14 @@ PosteriorDraws posteriorDraws(const IdentifyFindings& findings, std::size_t coun
 /// Returns the scenario with the identified rock law, whose values are rounded to five digits.
 Scenario identifiedScenario(const Scenario& scenario, const IdentifyFindings& findings);
 
-/// Default 95 % tolerance, used if --known does not give one.
+/// Default 95 % tolerance of a size or of the gauge, used if option --known does not give one.
 struct AssumedTolerance {
     std::string key;
     Quantity quantity = Quantity::length;
     std::optional<double> tolerance;  ///< default tolerance in SI units; empty if it depends on the record
 };
-/// Returns the default tolerances of the amplifier, the gauge positions, and the sizes of the gauge's section
-/// and of the sections towards the bit.
+/// Returns the default tolerances used by an identification. They are those of the amplifier, the gauge
+/// positions, and the sizes of the sections from the gauge to the bit.
 std::vector<AssumedTolerance> assumedTolerances(const Scenario& scenario, const GaugePlace& place);
 
 }  // namespace drillwave

@@ -16,15 +16,16 @@ namespace drillwave {
 /// Alternative solution that fits a record almost as well as the best one.
 struct NearbySolution {
     Eigen::VectorXd values;
-    /// Rise of the sum of squared residuals Σr² above the lowest one, relative to the mean of r².
+    /// Increase of Σr², the sum of squared residuals, over the best solution. It is divided by the mean of
+    /// r², or by 1 if that is smaller.
     double rise = 0;
-    /// Whether the solution is a separate minimum of Σr². Otherwise it is the best solution for a given other
-    /// gap.
+    /// Whether the solution is a separate minimum of Σr². Otherwise it is the best solution with the gap held
+    /// at another value.
     bool isMinimum = false;
 };
 
-/// Solution of a fit and its linearisation: changes δr of the residuals change the unknowns by −J⁺δr. J⁺ is
-/// the pseudo-inverse of the Jacobian J.
+/// Solution of a fit, and its linearisation: a change δr of the residuals changes the unknowns by −J⁺δr. J⁺
+/// is the pseudo-inverse of the Jacobian J.
 class LawFit {
   public:
     LawFit() = default;
@@ -35,19 +36,20 @@ class LawFit {
     double cost = 0;  ///< sum of squared weighted residuals, Σr²
     std::vector<NearbySolution> nearby;
 
-    /// Computes and stores the Jacobian at the solution; required before the functions below.
+    /// Computes and stores the Jacobian at the solution. movedBy(), left(), column() and similar functions
+    /// require it.
     void linearise(RecordModel& model);
-    /// Returns the change −J⁺δr of the unknowns for a change δr (`change`) of the residuals. Unknowns that
-    /// are held fixed do not change.
+    /// Returns the change −J⁺δr of the unknowns that a change δr (`change`) of the residuals causes. J⁺ is
+    /// the pseudo-inverse of the Jacobian. Unknowns that are held fixed do not change.
     Eigen::VectorXd movedBy(const Eigen::VectorXd& change) const;
-    /// Returns the change of the unknowns for a change δr (`change`) of the residuals if the gap is held
-    /// fixed.
+    /// Returns the change of the unknowns that a change δr (`change`) of the residuals causes if the gap is
+    /// held fixed.
     Eigen::VectorXd movedWithoutGap(const Eigen::VectorXd& change) const;
-    /// Returns δr + Jδθ: the part of a change δr (`change`) of the residuals that remains after the unknowns
-    /// have changed by δθ (`moved`).
+    /// Returns δr + Jδθ, with the Jacobian J. It is the part of the change δr (`change`) of the residuals
+    /// that remains after the unknowns have changed by δθ (`moved`).
     Eigen::VectorXd left(const Eigen::VectorXd& change, const Eigen::VectorXd& moved) const;
-    /// Returns the change of all unknowns if the mean of the prior of one unknown is raised by its 95 %
-    /// tolerance.
+    /// Returns the effect of a tolerance on the fit. It is the change of all unknowns if the mean of one
+    /// prior is raised by its 95 % tolerance.
     Eigen::VectorXd movedByPrior(const RecordModel& model, std::size_t unknown) const;
     /// Returns the derivative of all residuals with respect to one unknown, per unit of that unknown.
     Eigen::VectorXd column(std::size_t unknown) const;
@@ -62,32 +64,35 @@ class LawFit {
     Eigen::MatrixXd m_inverse, m_inverseWithoutGap;
 };
 
-/// Model of a record with its fit. Both are empty if no fit was made.
+/// Model of a record, and the fit of this model. Both are empty if no fit was made.
 struct ModelFit {
     std::shared_ptr<RecordModel> model;
     LawFit fit;
 };
 
-/// Returns the start values of the unknowns for a search.
+/// Returns the values of the unknowns from which a search for the best fit starts.
 Eigen::VectorXd startValues(const RecordModel& model);
 
-/// Moves the values of unknowns that are outside their bounds onto the bounds.
+/// Moves the value of each unknown that is outside its bounds onto the nearest bound.
 void clampToBounds(const RecordModel& model, Eigen::VectorXd& values);
 
-/// Minimises the sum of squared residuals Σr² by the Levenberg–Marquardt method within the bounds, starting
-/// from `values`. Updates `values` and returns Σr². Takes at most `mostRounds` iterations.
+/// Minimises the sum of squared residuals Σr² by the Levenberg–Marquardt method. Starts from `values`, keeps
+/// within the bounds of the unknowns, and takes at most `mostRounds` iterations. Stores the solution in
+/// `values` and returns its Σr².
 double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, const std::stop_token& stop);
 
-/// RMS [N] of waves between blow and reflection: below 6.6 kHz, beyond noise, without the zero line.
+/// RMS [N] of stray waves at the gauge between the end of the blow and the arrival of its reflection. They
+/// are taken below 6.6 kHz, minus noise and fitted zero line.
 struct QuietErrors {
     double before = 0;  ///< RMS of waves until 120 µs before the incident wave is taken to end [N]
     double last = 0;    ///< RMS of waves in the last 120 µs before the incident wave is taken to end [N]
     bool hasBefore = false;
 };
-/// Returns the rms of waves between blow and reflection [N] for given values of the unknowns.
+/// Returns the rms of stray waves [N] between the end of the blow and its reflection, for given values of the
+/// unknowns.
 QuietErrors quietErrors(const RecordModel& model, const Eigen::VectorXd& values);
-/// Returns the signal between blow and reflection minus the fitted zero line [N], smoothed by a Gaussian with
-/// a standard deviation of 20 µs.
+/// Returns the force at the gauge between the end of the blow and its reflection [N], minus all fitted
+/// disturbances such as the zero line. It is smoothed by a Gaussian with a standard deviation of 20 µs.
 std::vector<double> quietLeft(const RecordModel& model, const Eigen::VectorXd& values);
 
 }  // namespace drillwave

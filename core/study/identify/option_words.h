@@ -20,7 +20,7 @@ inline constexpr EnumNames<LawChoice> lawChoiceNames{{{LawChoice::automatic, "au
 inline constexpr EnumNames<DispersionChoice> dispersionChoiceNames{
     {{DispersionChoice::fit, "fit"}, {DispersionChoice::bar, "bar"}, {DispersionChoice::none, "none"}}};
 
-/// Value read from a word, or why the word was refused.
+/// Value read from a word of the command line, or the reason why the word was refused.
 template <class Value>
 struct ReadWord {
     Value value;
@@ -28,15 +28,16 @@ struct ReadWord {
     bool hasOtherForm = false;  ///< whether the word lacks the form of its option, such as KEY=+-TOLERANCE
 };
 
-/// Returns the gauge of a word COLUMN@DISTANCE or A+B@DISTANCE.
+/// Returns the strain gauge described by a word COLUMN@DISTANCE, or by A+B@DISTANCE for a pair of gauges with
+/// two columns.
 ReadWord<GaugeChoice> readGaugeWord(const std::string& word);
-/// Returns the word that readGaugeWord() reads back as the same gauge.
+/// Returns a strain gauge as a word COLUMN@DISTANCE; the inverse of readGaugeWord().
 std::string gaugeWord(const GaugeChoice& gauge);
 
-/// Returns the tolerance of a word KEY=+-TOLERANCE. A percentage of a size is a share of its value in
-/// `scenario`.
+/// Returns the tolerance described by a word KEY=+-TOLERANCE of option --known. A tolerance in per cent
+/// refers to the value of that size in `scenario`.
 ReadWord<KnownTolerance> readKnownWord(const std::string& word, const Scenario& scenario);
-/// Returns the word that readKnownWord() reads back as the same tolerance.
+/// Returns a tolerance as a word KEY=+-TOLERANCE of option --known; the inverse of readKnownWord().
 std::string knownWord(const KnownTolerance& known);
 
 /// Returns a percentage such as "2%" as a share, 0.02; nothing for any other text.

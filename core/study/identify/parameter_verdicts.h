@@ -9,12 +9,13 @@
 
 namespace drillwave {
 
-/// Sets the parameters of `answer`, their covariance, and their changes by error sources common to all
-/// records. `atLeast` are lower limits of the half-widths of ln k, ln γ, gap [m], ln F1 and ln s1.
+/// Sets the parameters of `answer`, their covariance, and their errors from sources common to all records.
+/// `atLeast` are lower limits of the half-widths of stiffness, gamma, gap [m], corner force and corner slope
+/// (logarithms except for the gap).
 void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast, RecordAnswer& answer);
 
-/// Extends the interval of the gap down to 0. Used if a curved start of the rock law explains the record as
-/// well as a gap.
+/// Extends the 95 % interval of the gap down to 0. Used if a curved start of the rock law explains the record
+/// as well as a gap.
 void openGap(RecordAnswer& answer);
 
 }  // namespace drillwave

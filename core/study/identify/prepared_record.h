@@ -15,10 +15,11 @@
 
 namespace drillwave {
 
-/// Signal of one gauge of a prepared record.
+/// Signal of one gauge in a record prepared for a fit.
 struct PreparedGauge {
     std::vector<double> force;  ///< force [N], compression positive, zero level subtracted
-    /// Half the difference of a gauge pair [N], its own zero level subtracted; empty for a single gauge.
+    /// Half the difference between two gauges on opposite sides of the rod (bending) [N], minus its zero
+    /// level; empty for a single gauge.
     std::vector<double> opposite;
     GaugeNoise noise;
     double zero = 0;          ///< zero level that was subtracted [N], with the sign of the recording
@@ -36,23 +37,25 @@ struct PreparedRecord {
     int sign = 1;           ///< sign of compression in the original recording: +1 or −1
     std::vector<PreparedGauge> gauges;  ///< signals of the gauges, the one near the bit first
     std::vector<GaugePlace> places;     ///< positions of the gauges, in the same order
-    /// D0 = 2a/c, round-trip time from the near gauge to the end of its section, from the scenario file [s].
+    /// D0 = 2a/c [s]: round-trip time from the gauge near the bit to the end of the gauge's section,
+    /// according to the scenario file.
     double roundTrip = 0;
-    /// Arrival time of the reflection as seen in the record [s]; 0 if it was not looked for.
+    /// Arrival time of the reflection as seen in the record [s]; 0 if it was not searched for or not found.
     double arrival = 0;
-    /// Correction added to the round-trip time D0 (`roundTrip`), so that it agrees with the observed arrival
-    /// [s].
+    /// Correction added to the round-trip time D0 (see `roundTrip`), so that it agrees with the observed
+    /// arrival of the reflection [s].
     double shift = 0;
-    /// Factor on the gaps from which a fit starts. It differs from 1 if the unit of the record is doubtful,
-    /// because forces and gap are then wrong by the same factor.
+    /// Scale of the rock gaps that a fit tries, usually 1. If the unit of the record is doubtful, it is the
+    /// factor by which forces are probably wrong, and therefore the gap too.
     double gapScale = 1;
     double incidentEnd = 0;  ///< time at which the incident wave f ends [s]
-    /// Time after which the gauge is quiet until the reflection arrives [s]; only used with one gauge.
+    /// Time after which the gauge shows no more of the blow until the reflection arrives [s]; only used with
+    /// one gauge.
     double quietFrom = 0;
     double end = 0;      ///< end of the evaluated window [s]
     double before = 0;   ///< A_pre, amplitude of waves before the front, as a share of the peak force
     double bending = 0;  ///< rms of half the difference of a gauge pair, as a share of the peak force
-    /// Whether each sample of the near gauge is clipped or missing; empty if none is.
+    /// Whether each sample of the gauge near the bit is clipped or missing; empty if none is.
     std::vector<bool> isLost;
     double transit = 0;      ///< transit time ϑ between two gauges [s]
     double secondShift = 0;  ///< fitted delay θ of the front from the far to the near gauge [s]
@@ -65,12 +68,12 @@ struct PreparedRecord {
     double timeOf(std::size_t sample) const {
         return (static_cast<double>(sample) - static_cast<double>(front)) * step;
     }
-    /// Returns the round-trip time between gauge and rock [s]: D0 plus twice the transit time of the sections
-    /// towards the bit.
+    /// Returns the round-trip time of a wave between gauge and rock [s]. It is `roundTrip` (D0) plus twice
+    /// the transit time of the sections towards the bit.
     double roundTripToRock() const { return roundTrip + 2 * places.front().end.transitTime(); }
 };
 
-/// Reason why a record contains no information about the rock (theory of identification §3).
+/// Reason why a record of strain gauges cannot be used to identify the rock (theory of identification §3).
 struct RecordRefusal {
     /// Code of the reason: "no_front", "short_zero", "gap", "blow_not_over", "too_short", "clipped", …
     std::string code;
@@ -88,7 +91,8 @@ enum class ArrivalChoice {
     ofFile,  ///< time computed from the gauge distance in the scenario file
 };
 
-/// Returns one blow of a record (index from 0) prepared for a fit, or the reason why it cannot be used.
+/// Returns one blow of a record (index from 0), prepared for fitting a rock law, or the reason why it cannot
+/// be used.
 Preparation prepareRecord(const GaugeRecord& record, const std::vector<GaugePlace>& places,
                           const IdentifyQuestion& question, std::size_t blow = 0,
                           ArrivalChoice arrival = ArrivalChoice::seen);

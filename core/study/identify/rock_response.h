@@ -8,13 +8,15 @@
 
 namespace drillwave {
 
-/// Straight line of the loading curve of a trial law: above `force`, the force rises with `slope`.
+/// Straight line of a rock's loading curve: while the force is above `force`, it rises with penetration by
+/// `slope`.
 struct TrialLine {
     double force = 0;  ///< force at which the line starts [N], 0 for the first line
     double slope = 1;  ///< stiffness on this line [N/m], > 0
 };
 
-/// Law of bit and rock as a fit varies it (theory, eqs. T4, T5 and T40). The last line has no upper end.
+/// Rock law with the values that a fit tries (theory, eqs. T4, T5 and T40). The last line of the loading
+/// curve has no upper end.
 struct TrialRock {
     std::vector<TrialLine> lines = {{}};  ///< lines of the loading curve, with increasing forces
     double elastic = 1;  ///< stiffness of unloading and reloading below the largest force so far, k/γ [N/m]
@@ -22,15 +24,16 @@ struct TrialRock {
     double dashpot = 0;  ///< constant c ≥ 0 of a dashpot beside the spring, active in contact [N s/m]
 };
 
-/// Returns straight lines that approximate the power law F = kU (U/U1)^(p − 1) with the same secants. k is
-/// the secant stiffness [N/m] at the force `reference` [N].
+/// Returns straight lines (chords) that approximate the power law F = kU (U/U1)^(p − 1) of force F over
+/// penetration U. At U1 the force is `reference` [N]; k = F/U there is `stiffness` [N/m]. p is `exponent`.
 std::vector<TrialLine> powerLines(double stiffness, double exponent, double reference);
 
-/// Time-stepping solver for a bit on the rock at the end of a section of impedance Z, under an incident wave
-/// g. Its equation is U' = (2g − F)/Z (theory, eq. T16). On a specimen in front of a bar of the same
-/// impedance it is U' = (2g − 2F)/Z. With a bit mass M it is M U'' + Z U' + F = 2g.
-/// Within a step g is linear. Without a bit mass each line of the law is solved exactly, and its corners are
-/// located within the step. With a bit mass the trapezoidal rule is used.
+/// Time-stepping solver for the penetration U of a bit and the force F on the rock. The bit is at the end of
+/// a section of impedance Z, under an incident wave g. The equation is U' = (2g − F)/Z (theory, eq. T16). On
+/// a specimen in front of a bar of the same impedance it is U' = (2g − 2F)/Z. With a bit mass M it is M U'' +
+/// Z U' + F = 2g.
+/// Within a time step g is linear. Without a bit mass, each straight line of the rock law is solved exactly,
+/// and its corners are located within the step. With a bit mass the trapezoidal rule is used.
 class RockResponse {
   public:
     struct End {
@@ -55,7 +58,8 @@ class RockResponse {
   private:
     enum class Line { apart, primary, elastic };
     struct Wave {
-        /// Driving force 2g [N] (g for a specimen in front of a bar), and its rate of change [N/s].
+        /// Driving force of the equation of motion: 2g [N], or g for a specimen in front of a bar. `rate` is
+        /// its rate of change [N/s].
         double g, rate;
     };
     double rateOf(double slope) const { return slope / (m_impedance + m_dashpot); }
@@ -78,7 +82,7 @@ class RockResponse {
     double m_step;
     Line m_line = Line::apart;
     std::size_t m_loading = 0;  ///< index of the current line of the loading curve
-    /// Penetration at which the current line of the loading curve begins [m].
+    /// Penetration at the lower end of the current line of the loading curve [m].
     double m_loadedPenetration = 0;
     double m_spring = 0;    ///< force of the spring, without the dashpot [N]
     double m_largest = 0;   ///< Fm, largest force of the spring so far [N]

@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// Nodes of a grid: the points that are present in every row and column, classified as above or below a
-/// level. Stores a reference to the grid, which must outlive this object.
+/// Points of the map's grid from which a contour at one level is found: the finest grid that is completely
+/// computed (see MapGrid::stride()). Stores a reference to the grid, which must outlive this object.
 class GridNodes {
   public:
     GridNodes(const MapGrid& grid, double level)
@@ -37,15 +37,15 @@ class GridNodes {
     std::size_t m_stride, m_columns, m_rows;
 };
 
-/// Edge from node (i, j) to the next node along x or along y.
+/// Edge of the grid of a map: from point (i, j) to the next point along x or along y.
 struct GridEdge {
     std::size_t i = 0, j = 0;
     bool isAlongX = true;
     auto operator<=>(const GridEdge&) const = default;  // NOLINT(modernize-use-nullptr): its 0
 };
 
-/// Square whose lower left corner is node (i, j), with the edges that the contour crosses: none, two or all
-/// four.
+/// Square of the grid whose lower left corner is point (i, j), with its edges that the contour crosses: two
+/// or all four.
 struct GridSquare {
     std::size_t i = 0, j = 0;
     std::array<GridEdge, 4> crossed;  // crossed edges; if all four, in the order bottom, right, top, left
@@ -53,7 +53,8 @@ struct GridSquare {
     bool isSaddle() const { return count == 4; }
 };
 
-/// Edges, squares and saddles through which a contour passes.
+/// Edges and squares of a grid through which a contour passes. Saddles are squares with all four edges
+/// crossed.
 struct ContourCourse {
     std::vector<GridEdge> edges;  ///< crossed edges, ascending, each once
     std::vector<GridSquare> squares;
@@ -65,8 +66,8 @@ struct ContourCourse {
     std::size_t numberOf(const GridEdge& edge) const;
 };
 
-/// Returns the edges, squares and saddles through which the contour at the level of the nodes passes. Squares
-/// with a node without a value are left out.
+/// Returns the edges and squares of the grid through which the contour passes, and which squares are saddles.
+/// Squares with a corner without a value are left out.
 ContourCourse courseOf(const GridNodes& nodes);
 
 }  // namespace drillwave

@@ -22,18 +22,19 @@ struct ContourPoint {
     double residual = 0;  ///< |value − level|, in the units of the map
     /// Width within which the output jumps across the level, as a fraction of the distance between the two
     /// grid points. It is 0 if the output takes the level continuously. Then `residual` is mostly below
-    /// contourAccuracy and always below 100 contourAccuracy, relative to the level or the step between the
+    /// contourAccuracy and at most 100 times that. It is relative to the level or to the step between the
     /// grid points, whichever is larger.
     double jumpWidth = 0;
-    /// Whether an output used to locate the point was a mean of blows that do not repeat. The output then
-    /// scatters, and so does the position.
+    /// Whether a value used to locate the point is a mean over a sequence of blows that does not repeat. Such
+    /// values scatter, and so does the position.
     bool isIrregular = false;
     bool isJump() const { return jumpWidth > 0; }
     bool operator==(const ContourPoint&) const = default;
 };
 
-/// Accuracy of a contour point, relative to the level or to the step between grid points. It is a hundredth
-/// of 1e-9, the accuracy of the coefficient of restitution e.
+/// Accuracy with which the output at a contour point equals the level. It is relative to |level| or to the
+/// difference of the two grid points beside it, whichever is larger. The value is a hundredth of 1e-9, the
+/// accuracy of the coefficient of restitution e.
 inline constexpr double contourAccuracy = 1e-11;
 
 /// Connected line of contour points. A closed line ends with a copy of its first point.
@@ -43,10 +44,11 @@ using ContourLine = std::vector<ContourPoint>;
 struct Contour {
     double level = 0;
     std::vector<ContourLine> lines;
-    /// Number of points between grid points on either side of the level that could not be located because a
-    /// blow was not solved.
+    /// Number of contour points that could not be located, because a blow between the two grid points beside
+    /// them was not solved.
     std::uint64_t unplaced = 0;
-    /// Reason why the first of the missing points could not be located; empty if none is missing.
+    /// Reason why a contour point could not be located, for the first of the `unplaced` points; empty if
+    /// there are none.
     Message reason;
     std::uint64_t solves = 0;  ///< number of blows solved to locate the points
     bool stopped = false;      ///< set if the stop token ended the search; `lines` is then empty
@@ -54,10 +56,10 @@ struct Contour {
     /// Returns the number of points of all lines; the first point of a closed line counts once.
     std::uint64_t pointCount() const;
     std::uint64_t jumpCount() const;
-    /// Returns the number of irregular points (see ContourPoint::isIrregular); the first point of a closed
-    /// line counts once.
+    /// Returns the number of points with ContourPoint::isIrregular; the first point of a closed line counts
+    /// once.
     std::uint64_t irregularCount() const;
-    /// Returns the largest residual of all points that are not jumps; 0 if there are none.
+    /// Returns the largest ContourPoint::residual of all points that are not jumps; 0 if there are none.
     double worstResidual() const;
     bool operator==(const Contour&) const = default;
 };
@@ -66,23 +68,26 @@ struct Contour {
 struct ContourExtent {
     ContourPoint lowest, highest;
 };
-/// Returns the lowest and highest point of a contour, the first if there are several; empty without lines.
+/// Returns the points of a contour with the smallest and the largest y, the first ones if several are equal;
+/// empty if the contour has no lines.
 std::optional<ContourExtent> extentOf(const Contour& contour);
 
 /// Side of a contour, along y, on which the map exceeds the level.
 enum class LevelSide {
-    /// The level is exceeded only above the contour (larger y); no point of the lowest row exceeds it.
+    /// The output exceeds the level at larger y: somewhere in the row of the largest y, nowhere in that of
+    /// the smallest y.
     above,
-    /// The level is exceeded only below the contour (smaller y); no point of the highest row exceeds it.
+    /// The output exceeds the level at smaller y: somewhere in the row of the smallest y, nowhere in that of
+    /// the largest y.
     below,
     mixed,
 };
-/// Returns the side for a complete map. LevelSide::mixed is also returned if no point exceeds the level, or
-/// points in every row do.
+/// Returns on which side of a contour, along y, a complete map exceeds the level. LevelSide::mixed is
+/// returned if both the first and the last row have such points, or neither has.
 LevelSide sideOf(const MapGrid& grid, double level);
 
-/// Callback for progress, called on the calling thread with the number of located crossings and of all
-/// crossings.
+/// Callback for progress, called on the calling thread with the numbers of contour points located so far and
+/// in total.
 using ContourProgress = std::function<void(std::uint64_t placed, std::uint64_t crossings)>;
 
 /// Returns the contour at one level (finite, in the units of the map). Uses the points of every

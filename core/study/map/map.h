@@ -33,8 +33,8 @@ struct MapStudy {
 /// Maximum number of points of a map. All are kept in memory with nine bytes each.
 inline constexpr std::uint64_t maximumMapPoints = 16'000'000;
 
-/// Returns the problems of a map, one message each; empty if it can be solved. They are those of a sweep over
-/// the same axes (see problemsOf(Sweep)), an axis without a range, and too many points.
+/// Returns the problems of a map, one message each; empty if it can be solved. Problems are an axis that is
+/// not a range, too many points, and those of a sweep over both axes.
 std::vector<Message> problemsOf(const MapStudy& study);
 
 /// Callback for progress, called on the calling thread with the map so far whenever more points are solved.

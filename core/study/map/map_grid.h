@@ -21,21 +21,21 @@ inline constexpr std::size_t maximumMapReasons = 100;
 /// about 40 ms.
 inline constexpr std::size_t coarsestMapPoints = 1024;
 
-/// Returns the index of the value nearest to `at`, among values with equal steps or (`isLogarithmic`) equal
-/// ratios; empty more than half a step outside.
+/// Returns the index of the value nearest to `at`. The values have equal steps, or equal ratios if
+/// `isLogarithmic`. Empty if `at` is more than half a step outside their range.
 std::optional<std::size_t> nearestIndex(std::span<const double> values, bool isLogarithmic, double at);
 
-/// Values of an output over two axes. Point (column, row) has value number `column` of x and value number
-/// `row` of y, both from 0.
+/// Grid of a map: values of an output over two parameters. Point (column, row) has value number `column` of x
+/// and value number `row` of y, both from 0.
 class MapGrid {
   public:
     MapGrid() = default;
-    /// Creates a map in which no point is present yet. Requires at least one value in xs and in ys (SI), and
+    /// Creates a map in which no point is computed yet. Requires at least one value in xs and in ys (SI), and
     /// at most maximumMapPoints points.
     MapGrid(std::vector<double> xs, std::vector<double> ys);
     /// Creates a map without points, with the reason why the map cannot be computed.
     explicit MapGrid(Message refusal) : m_refusal(std::move(refusal)) {}
-    /// Returns why the map has no points; empty if it has.
+    /// Returns why the map cannot be computed, so that it has no points; empty if it can.
     const Message& refusal() const { return m_refusal; }
 
     /// Returns the x value of each column, in SI units.
@@ -46,28 +46,28 @@ class MapGrid {
     std::size_t rows() const { return m_ys.size(); }
     std::size_t size() const { return m_values.size(); }
 
-    /// Returns the number of points that are present, whether solved or failed.
+    /// Returns the number of points computed so far, whether solved or failed.
     std::size_t done() const { return m_done; }
     bool isComplete() const { return m_done == size(); }
-    /// Returns s if every s-th point of every s-th row is present: 1 if all are, 0 if even the coarsest grid
-    /// is incomplete.
+    /// Returns the spacing s, in points, of the finest grid that is completely computed: every s-th point of
+    /// every s-th row. It is 1 if all points are computed, 0 if even the coarsest grid is incomplete.
     std::size_t stride() const;
     /// Returns the spacing, in points, of the grid that is solved first: a power of two.
     std::size_t coarsestStride() const { return std::size_t{1} << m_coarsest; }
 
     bool isThere(std::size_t column, std::size_t row) const { return cell(column, row) != notThere; }
-    /// Returns the output at a point; NaN if the point is not present or has no value.
+    /// Returns the output at a point; NaN if the point is not yet computed or has no value.
     double value(std::size_t column, std::size_t row) const { return m_values[index(column, row)]; }
-    /// Returns why a point that is present could not be solved; empty if it was solved.
+    /// Returns why a computed point could not be solved; empty if it was solved.
     const Message& reason(std::size_t column, std::size_t row) const;
     struct Place {
         std::size_t column = 0;
         std::size_t row = 0;
         bool operator==(const Place&) const = default;
     };
-    /// Returns the nearest point, with column and row rounded down, that is already present while the map is
-    /// being solved; its value is shown for this point. The search goes from fine to coarse grids. Returns
-    /// the point itself if it is present.
+    /// Returns the point whose value is shown for the given point while the map is being computed. It is a
+    /// computed point, with column and row rounded down to a coarser grid; the point itself if it is
+    /// computed.
     Place standIn(std::size_t column, std::size_t row) const;
 
     /// Returns the number of unsolved points by reason, in the order in which the reasons first occurred.

@@ -24,7 +24,7 @@ class MapPoint {
     Message solve(double x, double y, double& value, const std::stop_token& stop);
 
     /// Returns why the last point solved has no output; empty if it has one or the reason is not known.
-    /// `isIrregular()` returns whether its blows do not repeat periodically.
+    /// isIrregular() returns whether the motion in the sequence of blows at that point does not repeat.
     const Message& lack() const { return m_solver.lack(); }
     bool isIrregular() const { return m_solver.isIrregular(); }
 

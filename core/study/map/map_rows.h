@@ -7,9 +7,9 @@
 
 namespace drillwave {
 
-/// Passes one row for each point to the sink and returns the counts. A row has the two axis values (SI) and
-/// the output; y varies fastest, as in a sweep over x and then y. A point that is not present has no output,
-/// like an unsolved one.
+/// Passes the points of a map to `sink` as rows of numbers, for example to write CSV, and returns the numbers
+/// of rows. A row has x, y (SI) and the output; y varies fastest. A point that was not computed before a stop
+/// has no output and counts as failed.
 RowCounts giveRows(const MapStudy& study, const MapGrid& grid, RowSink& sink);
 
 }  // namespace drillwave

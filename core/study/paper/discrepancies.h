@@ -24,7 +24,8 @@ struct Discrepancy {
     bool agrees() const;
 };
 
-/// Returns all comparisons in the order of the paper; fewer if a stop is requested.
+/// Returns all comparisons of printed and computed numbers, in the order of the paper; fewer if a stop is
+/// requested.
 std::vector<Discrepancy> discrepancies(std::stop_token stop = {});
 
 /// Returns the comparisons as CSV text with the columns place, quantity, printed, computed, difference,

@@ -18,17 +18,17 @@ inline constexpr int firstPaperFigure = 3, lastPaperFigure = 8;
 Figure figure3();
 /// Returns Figure 4 of the paper: impact force, impulse and momentum over time.
 Figure figure4();
-/// Returns Figure 5 of the paper: the two peaks of the impact force beside the closed form. Time is counted
-/// from the arrival of the wave that causes the peak.
+/// Returns Figure 5 of the paper: the two peaks of the impact force, compared with the closed form. Time is
+/// counted from the arrival of the wave that causes the peak.
 Figure figure5();
-/// Returns Figure 6 of the paper: coefficient of restitution over the stiffness. The reference case is shown
-/// in both normalisations.
+/// Returns Figure 6 of the paper: coefficient of restitution over the stiffness. The reference case (rod
+/// without waves) is shown with the stiffness divided by Z/(2T) and by Z/t0.
 Figure figure6();
 /// Returns Figure 7 of the paper: coefficient of restitution over the stiffness, exact and from the closed
 /// form with its neglected terms.
 Figure figure7();
 /// Returns Figure 8 of the paper: coefficient of restitution over one period of the gap. The reference case
-/// is shown in both normalisations.
+/// (rod without waves) is shown with the stiffness divided by Z/(2T) and by Z/t0.
 Figure figure8();
 
 /// Returns the figure of the paper with a number from firstPaperFigure (3) to lastPaperFigure (8).

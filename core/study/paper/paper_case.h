@@ -24,15 +24,16 @@ Problem paperProblem(const Groups& groups, PulseShape shape = PulseShape::rectan
 /// Returns the exact solution of a blow in the paper, with results up to `detail`.
 Impact solvePaperCase(const Groups& groups, Detail detail, PulseShape shape = PulseShape::rectangular);
 
-/// Returns the coefficient of restitution e of the rectangular blow; NaN if it could not be solved.
+/// Returns the coefficient of restitution e of a blow by a rectangular hammer force; NaN if it could not be
+/// solved.
 double paperCor(const Groups& groups);
 
 /// Returns the coefficient of restitution e without a gap for the dimensionless stiffness `beta`, elasticity
 /// `gamma` and rod length `tau`.
 double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau);
 
-/// Meaning of β = 1 in the reference case, in which the rod arrives without waves. Its result depends only on
-/// βτ.
+/// Reference stiffness k0 in β = k/k0 for the reference case, a rod that arrives without waves. The result of
+/// that case depends only on γ and βτ.
 enum class ReferenceStiffness {
     roundTrip,  ///< k0 = Z/(2T), as in the paper's reference curves: equal work, τ = 1/2
     pulse,      ///< k0 = Z/t0, as in section 5.1 of the paper, computed for τ = 10
@@ -48,8 +49,9 @@ struct BetaExtreme {
     double cor;
 };
 
-/// Returns the largest value of `sign`·cor(β) for β from 0.001 to 100. Found by Brent's method in log β
-/// around the best point of a grid, with β accurate to about 1e-7.
+/// Returns the β from 0.001 to 100 at which cor(β) is largest (`sign` = 1) or smallest (`sign` = −1), with
+/// the value of cor. Found by Brent's method in log β around the best point of a grid; β is accurate to about
+/// 1e-7.
 BetaExtreme extremeOverBeta(const std::function<double(double)>& cor, double sign);
 
 }  // namespace drillwave

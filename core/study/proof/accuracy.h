@@ -22,7 +22,8 @@ struct AccuracyRow {
     Message reason;  ///< reason why the method did not solve the blow; empty if it did
 
     double cor = 0;
-    /// Absolute error of e, |e − e of the reference|; for the exact method, plus the error of the reference.
+    /// Absolute difference of e from that of the reference solution. For the exact method, the stated error
+    /// of the reference is added.
     double corError = 0;
     double corEstimate = 0;     ///< error of e that the method itself states (Impact::corError)
     double peakForceError = 0;  ///< error of the peak force, in units of F0
@@ -40,17 +41,18 @@ struct AccuracyRow {
     double speed = 0;
     /// Order of convergence of the error of e, compared with the previous row of the same method.
     double observedOrder = 0;
-    /// Whether all results of the lattice in a ring equal, bit for bit, those of the lattice that moves its
-    /// waves through memory.
+    /// Whether the results of a lattice with a ring buffer equal, bit for bit, those of the lattice that
+    /// moves its waves through memory. True for other methods.
     bool sameAsMoved = true;
 };
 
 /// Comparison of the accuracy of all methods for one scenario.
 struct Accuracy {
     Groups groups;
-    /// Rows in the order exact, closed form, lattice in a ring, lattice as in the paper.
+    /// Results in the order exact, closed form, lattice with a ring buffer, lattice that moves its waves as
+    /// in the paper.
     std::vector<AccuracyRow> rows;
-    /// Exact solution, the reference of the other rows; if it is notSolved, there are no rows.
+    /// Exact solution, with which all other methods are compared. If it is not solved, there are no rows.
     Impact exact;
     Impact extended;              ///< solution in long double, the reference of the first row
     double extendedTime = 0;      ///< computing time of the long double solution [s]
@@ -59,30 +61,31 @@ struct Accuracy {
     /// Order of convergence of the lattice: least-squares slope of the error of e over all resolutions.
     double latticeOrder = 0;
     bool isStopped = false;  ///< set if a stop request ended the comparison; rows are then missing
-    /// Whether all rows are solved and the values that need several rows are computed.
+    /// Whether all rows are finished, so that the values that need several rows, such as `speed`, are
+    /// computed.
     bool isRelated = false;
 };
 
-/// Returns the numbers of lattice segments to compare: 100, 200, 500 … 20,000. The paper used 10,000, and
-/// 20,000 "for accurate determination".
+/// Returns the numbers of lattice segments that are compared by default: 100, 200, 500 … 20,000. The paper
+/// used 10,000, and 20,000 "for accurate determination".
 std::vector<int> latticeLadder();
 inline constexpr int paperSegments = 10'000;
 
-/// Returns the work of a list of lattice resolutions, in moves of a wave by one segment. Each row is counted
-/// once, for a blow of duration t0 and one transit time. The whole study does about 3e7 moves per second;
-/// latticeLadder() has 5.3e8.
+/// Returns the estimated work of comparing lattices with these numbers of segments, in moves of a wave by one
+/// segment. It counts one solution by each lattice, for a blow of duration t0 and one transit time. The whole
+/// study does about 3e7 such moves per second; latticeLadder() has 5.3e8.
 double latticeMoves(const std::vector<int>& ladder);
 
 /// Callback for progress, called with the completed share of the work, 0 … 1.
 using AccuracyProgress = std::function<void(double done)>;
 
-/// Callback, called with the rows so far whenever one is done. Values that need several rows are still
-/// missing.
+/// Callback, called with the rows so far whenever one is done. Values that need several rows, such as
+/// AccuracyRow::speed, are still missing.
 using AccuracyRows = std::function<void(const Accuracy& soFar)>;
 
-/// Returns the accuracy and computing time of all methods for a valid scenario. `ladder` lists numbers of
-/// segments in ascending order. Speeds are known only if it contains paperSegments. latticeLadder() takes
-/// about ten seconds, mostly for the lattice as in the paper.
+/// Returns the accuracy and computing time of all methods for a valid scenario of a uniform rod. `ladder`
+/// lists the numbers of lattice segments to compare, ascending. AccuracyRow::speed is known only if they
+/// include paperSegments. With latticeLadder() this takes about ten seconds.
 Accuracy measureAccuracy(const Scenario& scenario, const std::vector<int>& ladder,
                          const std::stop_token& stop = {}, const AccuracyProgress& progress = {},
                          const AccuracyRows& onRow = {});

@@ -8,16 +8,17 @@ namespace drillwave {
 
 /// Largest absolute difference between two force histories, in units of F0.
 struct ForceDifference {
-    /// Largest difference at the ends and middles of the pieces of both histories, as visible in a plot. A
-    /// history that is constant in each step differs by at least the change of the force in half a step.
+    /// Largest difference of the forces at the ends and middles of the pieces of both histories. If the force
+    /// of one history is constant in each step, as for a lattice, the difference is at least its change in
+    /// half a step.
     double largest = 0;
-    /// Largest difference at the middles of the pieces of the first history, where a mean over a step is most
-    /// accurate.
+    /// Largest difference at the middles of the pieces of the first history. There a lattice, whose force is
+    /// a mean over each step, is most accurate.
     double inMiddles = 0;
 };
 
-/// Returns the difference of two force histories. Requires impacts solved with Detail::histories; `reference`
-/// must be continuous, as the exact force is.
+/// Returns the difference of the force histories of two solutions of one blow, both with Detail::histories.
+/// The force of `reference` must be continuous, as in the exact solution.
 ForceDifference forceDifference(const Impact& impact, const Impact& reference);
 
 }  // namespace drillwave

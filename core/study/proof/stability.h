@@ -18,35 +18,38 @@ namespace drillwave {
 /// Limits of the checks of a test case, each with the largest value observed. A limit is at most about ten
 /// times that value, so a solver ten times worse fails.
 struct StabilityMarks {
-    /// Limit of the momentum residual, as a share of I0. The largest value observed is 3e-14, from rounding
-    /// of sums of 1e6 pieces.
+    /// Limit of the momentum residual (StabilityRow::momentumResidual), as a share of I0. The largest value
+    /// observed is 3e-14, from rounding of sums of 1e6 pieces.
     double momentum = 3e-13;
-    /// Limit of the relative energy residual. The largest value observed is 7e-11, for soft rock with merged
-    /// wave pieces.
+    /// Limit of the relative energy residual (StabilityRow::energyResidual). The largest value observed is
+    /// 7e-11, for soft rock.
     double energy = 4e-10;
-    /// Limit of a tensile force on the rock, as a share of the peak force. The largest value observed is
-    /// 2e-15, for a force that has decayed to rounding.
+    /// Limit of a tensile force on the rock (StabilityRow::leastForce), as a share of the peak force. The
+    /// largest value observed is 2e-15, for a force that has decayed to rounding.
     double pull = 2e-14;
-    /// Limit of the distance by which the bit moves back towards the rock after the last separation, in units
-    /// of d0/2. It allows for rounding of a distance of order 1; no such return was observed.
+    /// Limit of StabilityRow::reach, the movement of the bit back towards the rock after the last separation,
+    /// in units of d0/2. Only rounding of a distance of order 1 is allowed; no such movement was observed.
     double reach = 1e-14;
-    /// Limit of the change of e when a parameter changes by a relative 1e-10. The largest value observed is
-    /// 4e-9, where e is steepest.
+    /// Limit of StabilityRow::change, the change of e when a parameter changes by a relative 1e-10. The
+    /// largest value observed is 4e-9, where e is steepest.
     double change = 4e-8;
-    /// Limit of the difference between e and its theoretical limit, divided by the difference that theory
-    /// allows. The largest value observed is 0.007, because the theoretical estimates are generous.
+    /// Limit of StabilityRow::limitDistance, the difference of e from its theoretical limit divided by the
+    /// difference that theory allows. The largest value observed is 0.007, because the theoretical estimates
+    /// are generous.
     double limit = 0.07;
-    /// Limit of the difference of e from the lattice, relative to the error estimate of the lattice. The
-    /// largest value observed is 0.3, because that estimate is cautious.
+    /// Limit of StabilityRow::latticeDistance, the difference of e between exact solver and lattice, relative
+    /// to the error that the lattice states. The largest value observed is 0.3, because that estimate is
+    /// cautious.
     double lattice = 2;
-    /// Limit of the difference of e from that in long double, relative to the stated errors of both. The
-    /// largest value observed is 0.7; below 1, the stated error is a bound.
+    /// Limit of StabilityRow::boundDistance, the difference of e from the solution in long double, relative
+    /// to the stated errors of both. The largest value observed is 0.7; below 1, the stated errors are
+    /// bounds.
     double bound = 3;
 };
 inline constexpr StabilityMarks stabilityMarks{};
 
-/// Result of the checks of one case. An empty optional means that the check does not apply, or that the
-/// histories were too long to keep.
+/// Results of all checks of one test case. An optional is empty if its check does not apply to the case, or
+/// if the histories were too long to keep.
 struct StabilityRow {
     StabilityCase stabilityCase;
     Outcome outcome = Outcome::notSolved;
@@ -55,37 +58,43 @@ struct StabilityRow {
     double corError = 0;
     long pieces = 0;
     double seconds = 0;  ///< computing time of the solve with Detail::ledger [s]
-    /// Difference between the impulse of F and the momentum of the residual waves, as a share of I0.
+    /// Error of the momentum balance: impulse of the hammer less the impulse on the rock and the momentum of
+    /// the residual waves, as a share of I0.
     double momentumResidual = 0;
-    /// Difference between the work W and the energies of rock and waves, as a share of W or of F0² t0/Z,
-    /// whichever is larger.
+    /// Error of the energy balance: difference between the hammer work W and the energies of rock and waves.
+    /// It is a share of W or of F0² t0/Z, whichever is larger.
     double energyResidual = 0;
-    /// Smallest force F, as a share of the peak force; must not be negative, because the rock cannot pull.
+    /// Smallest force on the rock during the blow, as a share of the peak force. It must not be negative,
+    /// because the rock cannot pull.
     std::optional<double> leastForce;
     /// Largest distance by which the free bit moves towards the rock after the last separation, in units of
-    /// d0/2; 0 if the blow ended correctly.
+    /// d0/2. It is 0 if the solver did not miss a contact.
     std::optional<double> reach;
     double change = 0;  ///< change of e if each parameter is changed by a relative 1e-10
-    /// Distance of e from its theoretical limit, divided by the difference that theory allows; at most 1 if
-    /// correct.
+    /// Difference of e from its theoretical limit for very stiff or very soft rock, divided by the difference
+    /// that theory allows; at most 1 if correct.
     std::optional<double> limitDistance;
-    /// Difference of e from the lattice, divided by the error estimate of the lattice.
+    /// Difference of e between the exact solver and the lattice, divided by the error that the lattice
+    /// states.
     std::optional<double> latticeDistance;
-    /// Difference of e from that in long double, divided by the stated errors of both.
+    /// Difference of e from the solution in long double, divided by the stated errors of both solutions.
     std::optional<double> boundDistance;
     std::vector<Message> failures;  ///< descriptions of the checks that failed
 
     bool passed() const { return outcome == Outcome::rebounded && failures.empty(); }
 };
 
-/// Closeness of a case to failing: the largest ratio of a measure to its limit.
+/// Check in which a test case is closest to failing: the one with the largest ratio of its result to its
+/// limit.
 struct StabilityWorst {
-    /// Name of the measure with the largest ratio: "momentum", "energy", …; "not solved" if the case was not.
+    /// Name of the check with the largest ratio: "momentum", "energy", …; "not solved" if the case was not
+    /// solved.
     std::string_view measure;
-    /// Largest ratio of a measure to its limit: at most 1 if the case passes, infinite if it was not solved.
+    /// Largest ratio of a check's result to its limit: at most 1 if the case passes, infinite if it was not
+    /// solved.
     double ratio = 0;
 };
-/// Returns the measure of a case that is closest to its limit, or furthest beyond it.
+/// Returns which check of a test case is closest to its limit, or furthest beyond it.
 StabilityWorst worstOf(const StabilityRow& row);
 
 struct StabilityReport {
@@ -96,10 +105,10 @@ struct StabilityReport {
     std::size_t failed() const;
 };
 
-/// Callback for progress, called on the calling thread with the report so far whenever a case is done.
+/// Callback for progress, called on the calling thread with the report so far whenever a test case is done.
 using StabilityProgress = std::function<void(const StabilityReport& soFar)>;
 
-/// Returns the results of solving and checking every case on `jobs` threads.
+/// Returns the results of solving and checking every test case, on `jobs` threads.
 StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs, std::stop_token stop,
                                const StabilityProgress& progress);
 

@@ -18,22 +18,24 @@ struct StabilityCase {
     bool operator==(const StabilityCase&) const = default;
 };
 
-/// Returns the dimensionless scenario of a case, with the case's name.
+/// Returns the dimensionless scenario of a test case, with the name of the case as its title.
 Scenario scenarioOf(const StabilityCase& stabilityCase);
 
-/// Returns the problem to solve for a case.
+/// Returns the problem of one blow that is solved in a test case.
 Problem problemOf(const StabilityCase& stabilityCase);
 
-/// Returns all cases. They include the published cases and known traps: forceless contact, tangential events,
-/// equal and nearly equal rates, many reflections and stiff layers. Further traps are gaps that close as a
-/// front arrives, forces that reverse as a front arrives, a hammer force lasting several reflections, and
-/// slow drift. Short rods under every pulse shape and chattering bits are included too. Each parameter is
-/// varied over its whole range, starting from a soft, a medium and a stiff case. The ranges are β 1e-9 …
-/// 1e12, γ 1e-9 … 1, τ 0.01 … 1e4, δ … 1e6. A product grid of extremes is included for every pulse shape.
-///
-/// Cases that need more than the permitted 30 million wave pieces are left out. One kind is β < 1e-6 with γ <
-/// 1, where a contact lasts 1.6/√(βτ) round trips, each with kinks that never vanish. The other is τ < 0.1
-/// with exponential and piston blows, during which every front passes the rock up to 2000 times.
+/// Returns all cases, which include the published ones and known traps. Traps are contact without force,
+/// tangential events, equal and nearly equal rates, many reflections, and stiff layers, in which the force
+/// changes very fast. Further traps are gaps that close as a front arrives, forces that reverse as a front
+/// arrives, a hammer force lasting several reflections, and slow drift. Short rods under every pulse shape
+/// and chattering bits are included too.
+/// Each parameter is varied over its whole range, starting from a soft, a medium and a stiff case. The ranges
+/// are β 1e-9 … 1e12, γ 1e-9 … 1, τ 0.01 … 1e4 and δ up to 1e6. For every pulse shape, the extremes of all
+/// parameters are combined.
+/// Cases that need more than the permitted 30 million wave pieces (the solver's unit of work) are left out.
+/// One kind is β < 1e-6 with γ < 1, where a contact lasts 1.6/√(βτ) round trips, each with kinks that never
+/// vanish. The other is τ < 0.1 with exponential and piston blows, during which every front passes the rock
+/// up to 2000 times.
 std::vector<StabilityCase> stabilityCases();
 
 }  // namespace drillwave

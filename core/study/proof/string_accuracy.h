@@ -15,7 +15,7 @@
 
 namespace drillwave {
 
-/// Method of computing a drill string.
+/// Method of computing a blow on a drill string.
 enum class StringMethod {
     quick,  ///< polynomial cells, divided at jumps; used by studies
     sure,   ///< polynomial cells, divided at every corner of a wave; used by the command `run`
@@ -25,7 +25,7 @@ enum class StringMethod {
 /// Returns the name as in JSON: "cells", "cells_cut" or "plain".
 std::string_view name(StringMethod method);
 
-/// Result of a method with one cell size.
+/// Result of one method for a drill string, with one cell size.
 struct StringAccuracyRow {
     StringMethod method = StringMethod::quick;
     double cell = 0;    ///< Δ, cell size as a round-trip time [s]
@@ -39,19 +39,22 @@ struct StringAccuracyRow {
 
 struct StringAccuracy {
     Message reason;  ///< reason why there is no comparison; empty if there is one
-    /// Efficiency of the reference: cells divided at every corner, half as large as the default.
+    /// Efficiency of the reference solution: polynomial cells of a quarter of the default size, divided at
+    /// every corner of a wave.
     double efficiency = 0;
     double reference = 0;  ///< error of the reference efficiency, as stated by the reference solution itself
     std::vector<StringAccuracyRow> rows;
     bool isStopped = false;  ///< set if a stop request ended the comparison; rows are then missing
 };
 
-/// Callback, called whenever a row is done, with the rows so far and the completed share of the work, 0 … 1.
+/// Callback for progress, called whenever a method has been measured with one cell size. It receives the rows
+/// so far and the completed share of the work, 0 … 1.
 using StringAccuracyRows = std::function<void(const StringAccuracy& soFar, double done)>;
 
 /// Returns the accuracy and computing time of the methods for a drill string; takes seconds. The plain
-/// lattice is included if the lengths of all sections are multiples of one cell. Rows that need more than
-/// `mostCells` are left out; if the reference does, there is only a reason.
+/// lattice is included only if the lengths of all sections are multiples of one cell. Rows that need more
+/// than `mostCells` (time steps times nodes) are left out. If the reference solution needs more, the result
+/// has only a reason.
 StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop = {},
                                      const StringAccuracyRows& onRow = {}, long mostCells = mostNetworkCells);
 

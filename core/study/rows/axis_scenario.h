@@ -28,7 +28,8 @@ struct PointObstacle {
     /// Reason without the value, such as "rod.bore must be less than the diameter of 38 mm".
     Message reason;
     Message text;  ///< reason including the value that caused it, if there is one
-    /// Whether the parameter of an axis is not applicable to the scenario at this point.
+    /// Whether an axis cannot set its value at this point at all, for example because its parameter does not
+    /// apply to the scenario.
     bool isMeaning = false;
 };
 
@@ -50,7 +51,8 @@ class AxisScenario {
     /// Returns why the scenario from the last call of set() is invalid; empty if it is valid.
     const std::optional<PointObstacle>& obstacle() const { return m_obstacle; }
 
-    /// Returns whether the hammer force may change if the axes from index `firstChanged` on get other values.
+    /// Returns whether the hammer force may change when the axes from index `firstChanged` on take other
+    /// values. If it cannot, it need not be set again.
     bool movesPulse(std::size_t firstChanged) const {
         return m_lastPulseAxis && firstChanged <= *m_lastPulseAxis;
     }
@@ -65,7 +67,8 @@ class AxisScenario {
     Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
     bool m_restoresPulse = false;  // whether an axis sets a parameter of the hammer force
-    /// Whether an axis changes the rock law, which drops the parameters of the previous law.
+    /// Whether an axis changes the rock law. Each point then starts from the base scenario, because a new law
+    /// drops the parameters of the previous one.
     bool m_changesLaw = false;
     bool m_judges = true;  // whether each point is checked
     Scenario m_scenario;

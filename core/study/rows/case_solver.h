@@ -18,8 +18,8 @@ namespace drillwave {
 /// force. Each thread needs its own object.
 class CaseSolver {
   public:
-    /// Stores a reference to `columns`, which must outlive the solver. Each case may take `workLimit` wave
-    /// pieces. It is solved with detail `least`, or with more if the columns need it.
+    /// Stores a reference to `columns`, which must outlive the solver. The work of each case is limited to
+    /// `workLimit` wave pieces. It is solved with detail `least`, or with more if the columns need it.
     CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
                Detail least = Detail::cor);
 
@@ -41,22 +41,24 @@ class CaseSolver {
     /// scatter.
     bool isIrregular() const { return m_drill && m_drill->period == 0.0; }
 
-    /// Returns the impact of the last case; empty if only statistics of many blows were requested.
+    /// Returns the single blow solved in the last case. It is an unsolved default if the columns only need
+    /// sequences of blows.
     const Impact& impact() const { return m_impact; }
-    /// Returns the random part of the error of e between neighbouring cases, which a curve fit need not
-    /// resolve. For drill strings it is less than the stated error, which is mostly the same from case to
-    /// case.
+    /// Returns the part of the error of e that varies at random from case to case; a curve through the cases
+    /// need not follow it. For drill strings it is less than the stated error, which is mostly the same from
+    /// case to case.
     double scatter() const { return m_scatter; }
     const Problem& problem() const { return m_problem; }
 
   private:
     Message solveDrillString(const Scenario& scenario, std::span<double> outputs,
                              const std::stop_token& stop);
-    /// Fills in the outputs of a uniform rod from its impact.
+    /// Writes the outputs of a uniform rod, from the summary of its blow, to `outputs`. Returns why they are
+    /// not valid; empty if they are.
     Message fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
                      const std::stop_token& stop);
-    /// Computes a sequence of blows if a column needs one. Returns why the sequence has no result; empty if
-    /// it has one or none is needed.
+    /// Computes a sequence of blows if a column needs one and the scenario allows it. Returns why it failed;
+    /// empty if it did not fail, and if the blows push the machine back.
     Message march(const Scenario& scenario, const std::stop_token& stop);
     /// Writes the outputs from `source`. Returns why the values are not valid (they are then NaN); empty if
     /// they are valid.

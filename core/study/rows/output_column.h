@@ -53,14 +53,14 @@ std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits uni
 /// Returns the level of detail that the solver must provide for the columns.
 Detail detailFor(std::span<const OutputColumn> columns);
 
-/// Returns the numbers that must be computed from the waves for the columns.
+/// Returns which results, such as the largest forces, must be computed from the waves to fill the columns.
 WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
 
-/// Returns the results that must be computed from a sequence of blows for the columns.
+/// Returns which results of a sequence of blows the columns need, so that nothing else is computed.
 RequiredMarches drillWishesFor(std::span<const OutputColumn> columns);
 
-/// Returns why a column would be empty for every scenario of this kind, and what to do; empty if none would
-/// be.
+/// Returns why one of the columns would be empty for all scenarios like `scenario`, and what to do; empty if
+/// none would be.
 Message columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
 
 /// Returns the names of outputs that chooseOutputs() accepts, in their order.

@@ -20,15 +20,15 @@ struct RowFailure {
     bool operator==(const RowFailure&) const = default;
 };
 
-/// Adds `more.rows` to the entry with the same reason, or appends a new entry. Returns the index of the
-/// entry.
+/// Adds `more.rows` to the entry of `failures` with the same reason, or appends a new entry. Returns the
+/// index of the entry.
 std::size_t addFailure(std::vector<RowFailure>& failures, const RowFailure& more);
 
 /// Block of consecutive result rows of equal width. Rows are first filled one after another and then read.
 class RowBlock {
   public:
-    /// Removes all rows but keeps the memory. `first` is the index (from 0) of the next row among all rows of
-    /// the run, `width` the number of values in a row.
+    /// Removes all rows but keeps the memory for the next ones. `first` is the index (from 0) of the next row
+    /// among all rows of the run, `width` the number of values in a row.
     void restart(std::uint64_t first, std::size_t width);
     /// Adds a row of NaN values and returns it. It must be filled before the next row is added.
     std::span<double> add();

@@ -19,8 +19,8 @@ struct RowColumn {
         word,      ///< index of one of `words`
     };
 
-    /// Heading, such as "beta", "peak_force [N]" or "rod.length [mm]". The numbers may be in SI units even if
-    /// the heading has another unit.
+    /// Heading of the column, such as "beta", "peak_force [N]" or "rod.length [mm]". For Kind::quantity,
+    /// files show the unit of the heading, but the numbers of the rows are in SI.
     std::string header;
     Kind kind = Kind::number;
     Quantity quantity = Quantity::ratio;

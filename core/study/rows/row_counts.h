@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// Maximum number of different reasons for unsolved rows that are listed. Rows with further reasons count
-/// only in `failed`.
+/// Maximum number of different reasons for unsolved rows that RowCounts lists. Rows with further reasons
+/// count only in RowCounts::failed.
 inline constexpr std::size_t maximumRowReasons = 3;
 
 /// Number of rows completed, during a run of rows or at its end.
@@ -25,7 +25,7 @@ struct RowCounts {
     WorkEnd end = WorkEnd::finished;
     Message refusal = {};  ///< reason why the run was refused before any row; empty if it was started
 
-    /// Adds the rows of the next block to the counts.
+    /// Adds the solved and failed rows of the next block to the counts.
     void add(const RowBlock& block) {
         rows += block.size();
         for (const RowFailure& failure : block.failures()) {

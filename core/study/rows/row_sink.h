@@ -10,17 +10,19 @@
 
 namespace drillwave {
 
-/// Receiver of rows in their order, independent of the number of threads that compute them.
+/// Receiver of the result rows of a sweep or table, such as a CSV file. Rows are received in order, for any
+/// number of threads.
 class RowSink {
   public:
     virtual ~RowSink() = default;
 
-    /// Receives the description of the rows, once and before the first row. Returns false to stop the run.
+    /// Receives the headings and the meaning of the columns, once and before the first row. Returns false to
+    /// stop the run.
     virtual bool begin(const RowHeader& header) = 0;
 
-    /// Does work on a block of rows before it is their turn, such as formatting. Called for several blocks at
-    /// once on the threads that compute them. The result in `prepared` (initially empty) is passed to take()
-    /// with the rows.
+    /// Prepares a block of rows on the thread that computed it, for example by formatting its text. May be
+    /// called for several blocks at once. The result in `prepared` (initially empty) is passed to take() with
+    /// the rows.
     virtual void prepare(const RowBlock& rows, std::string& prepared) const {
         (void)rows;
         (void)prepared;

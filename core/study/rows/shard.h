@@ -27,10 +27,11 @@ struct RowRange {
     bool operator==(const RowRange&) const = default;
 };
 
-/// Maximum number of parts, so that the arithmetic in rowsOf() cannot overflow.
+/// Maximum number of parts of a table (see Shard), so that the arithmetic in rowsOf() cannot overflow.
 inline constexpr std::uint64_t maximumShards = 1'000'000;
 
-/// Returns the part read from a text such as "2/7"; empty if the text is not a valid part.
+/// Returns the part of a table that a text such as "2/7" names, here the second of seven; empty if the text
+/// is not a valid part.
 inline std::optional<Shard> parseShard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;

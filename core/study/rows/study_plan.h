@@ -26,14 +26,14 @@ struct StudyPlan {
     /// Default number of points of a curve in the window; empty if the curve is fitted instead.
     std::optional<std::uint64_t> curvePoints;
     long curvePart = 6;  ///< divisor of the work limit for blows at single points of a fitted curve
-    /// Number of blows, each at the work limit, that one cell of a fitted curve may take; empty if only its
-    /// total work is limited.
+    /// Number of blows that may be solved in one cell of a fitted curve if each takes the whole work limit. A
+    /// cell is one part of the parameter range. Empty if only the total work of a cell is limited.
     std::optional<long> blowsOfPiece;
     /// Estimated time of a comparison of solution methods [s]; empty if it depends on the drill string.
     std::optional<int> accuracySeconds = 10;
 };
-/// Returns the default sizes of studies for a scenario, depending on whether its blows are solved by events
-/// or on cells.
+/// Returns the default sizes of studies for a scenario. They are smaller for drill strings, whose blows are
+/// computed in time steps and take milliseconds instead of microseconds.
 StudyPlan studyPlan(const Scenario& scenario);
 
 }  // namespace drillwave

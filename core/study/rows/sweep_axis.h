@@ -38,19 +38,20 @@ struct SweepAxis {
     std::string_view key() const;
 
     /// Returns value number i (from 0) in SI units, or the index of a word. The ends of a range are exactly
-    /// as typed; its steps are even in `unit`.
+    /// as typed; values between them are evenly spaced in `unit`, or in equal ratios.
     double value(std::uint64_t i) const;
     /// Returns the smallest and largest value, widened at both ends by `room` times their difference (for a
     /// logarithmic axis, of the logarithms). A single value is widened by a twentieth of its size on both
     /// sides.
     std::pair<double, double> range(double room = 0) const;
     bool isLogarithmic() const { return kind == Kind::logarithmic; }
-    /// Sets a value (SI) in a scenario. Returns why the scenario cannot have it, such as "rod.bore has no
-    /// meaning here: …"; empty if it was set.
+    /// Sets a value (SI) of the axis in a scenario. Returns why the scenario cannot have it, such as
+    /// "rod.bore does not apply here: …"; empty if it was set.
     Message assign(Scenario& scenario, double value) const;
     /// Returns why a scenario does not contain the value after all axes were set; empty if it does.
     Message readBackProblem(const Scenario& scenario, double value) const;
-    /// Returns the indices of the extreme values: the first and last, or all for words and presets.
+    /// Returns the indices of the smallest and the largest value; for words and presets, the indices of all
+    /// values.
     std::vector<std::uint64_t> extremes() const;
     bool operator==(const SweepAxis&) const = default;
 };
@@ -66,9 +67,8 @@ struct ParsedAxis {
     Message problem;
 };
 
-/// Returns the axis read from "KEY=START:STOP" or "KEY=START:STOP:log", a range that a curve follows upwards;
-/// the axis has two values. Besides invalid text and values, refuses ranges so narrow that their values
-/// cannot be distinguished.
+/// Returns the axis of a curve, read from "KEY=START:STOP" or "KEY=START:STOP:log"; its count is 2. There is
+/// a problem if the text or a value is invalid, or if followProblem() refuses the range.
 ParsedAxis parseRange(std::string_view text);
 
 /// Returns why a curve cannot follow an axis from `start` up to `stop`, such as a stop that is not above the
@@ -78,8 +78,8 @@ Message followProblem(const SweepAxis& axis);
 /// Returns the message that the range of an axis must end above its start.
 Message mustRise(const SweepAxis& axis);
 
-/// Returns the number of evenly spaced values from `start` to `stop` that all are valid for a parameter. It
-/// is `most` (≥ 2), but for whole-number parameters only as many as fall on whole numbers.
+/// Returns how many evenly spaced values from `start` to `stop` an axis can have: `most` (≥ 2). For a
+/// whole-number parameter it is the largest number, at most `most`, for which all values are whole numbers.
 std::uint64_t countWithin(const Parameter& parameter, double start, double stop, std::uint64_t most);
 
 /// Returns the axis read from "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C", or a

@@ -14,13 +14,14 @@ struct SweepRows {
     std::string title;
     std::vector<SweepAxis> axes;
     std::vector<OutputColumn> columns;
-    /// Values row by row: axes (SI) before outputs; NaN if a row was not solved.
+    /// Numbers of all rows, one row after another: the axis values (SI), then the outputs. Outputs are NaN if
+    /// the row was not solved.
     std::vector<double> numbers;
 
     std::size_t width() const { return axes.size() + columns.size(); }
 };
 
-/// Limits of a readable picture of a sweep: numbers of rows, of outputs, and of lines in one plot.
+/// Maximum numbers of rows, outputs and lines (values of the second axis) of a sweep for a readable plot.
 inline constexpr std::uint64_t mostDrawnRows = 100'000;
 inline constexpr std::size_t mostDrawnOutputs = 8;
 inline constexpr std::uint64_t mostDrawnLines = 16;
@@ -32,7 +33,7 @@ std::size_t lineAxis(const std::vector<SweepAxis>& axes);
 /// Returns why a sweep cannot be drawn and what to do; empty if it can.
 Message pictureProblem(const Sweep& sweep);
 
-/// Sink that stores the values of rows and passes the rows on to another sink.
+/// Sink that stores the values of all rows, for drawing, and passes the rows on to another sink.
 class RowKeeper : public RowSink {
   public:
     /// Stores references to both arguments, which must outlive this object.

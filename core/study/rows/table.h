@@ -18,8 +18,8 @@
 
 namespace drillwave {
 
-/// Settings of a table of cases. The cells of a row set the parameters named in the header, on top of `base`;
-/// an empty cell keeps the value of `base`.
+/// Settings of a table of cases, a CSV file with one scenario per row. The cells of a row set the parameters
+/// named in the header, on top of `base`; an empty cell keeps the value of `base`.
 struct Table {
     Scenario base;
     std::string source;  ///< name of the file, for messages
@@ -41,14 +41,16 @@ struct TableCheck {
     WorkEnd end = WorkEnd::finished;
 };
 
-/// Returns the number of rows of a table and its problems. Checks every cell of the rows of the part; other
-/// rows are only counted. `cases` must be seekable and must be rewound by the caller afterwards.
+/// Returns the number of rows of a table and its problems. Checks every cell of the rows in Table::shard, the
+/// part to be solved; other rows are only counted. `cases` must be seekable and must be rewound by the caller
+/// afterwards.
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop);
 
-/// Solves the rows of a table and passes them to the sink in order; returns the counts. Each row has the
-/// cells of `cases` as unchanged text, then the outputs as numbers. `rows` is the count from checkTable().
-/// `progress` is called on the calling thread. Memory does not grow with the number of rows. The rows do not
-/// depend on the number of threads `jobs` (≥ 1). A row that became invalid after the check counts as failed.
+/// Solves the rows of a table and passes them in order to `sink`, such as a CSV file; returns the counts.
+/// Each row has the cells of `cases` as unchanged text, then the outputs as numbers. `rows` is the count from
+/// checkTable(). `progress` is called on the calling thread. Memory does not grow with the number of rows.
+/// The rows do not depend on the number of threads `jobs` (≥ 1). A row that became invalid after the check
+/// counts as failed.
 RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,
                    std::stop_token stop, RowSink& sink, const RowProgress& progress);
 

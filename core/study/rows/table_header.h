@@ -13,13 +13,14 @@
 
 namespace drillwave {
 
-/// Column of a table of cases, as described by its header cell.
+/// Column of a table of cases (a CSV file with one scenario per row), as described by its header cell.
 struct CaseColumn {
     std::string text;  ///< header cell as written
     enum class Kind { parameter, word, other } kind = Kind::other;
     KeptParameter parameter = {};          ///< parameter that the column sets, for Kind::parameter
     const WordParameter* words = nullptr;  ///< word parameter that the column sets, for Kind::word
-    /// Unit of cells that have none, from a heading such as "rod.length [mm]"; may be nullptr.
+    /// Unit of numbers in the column that have no unit of their own, from a heading such as "rod.length
+    /// [mm]". It is nullptr if the heading has no unit.
     const Unit* unit = nullptr;
 
     /// Returns the key of the parameter that the column sets. Empty for other columns, which are copied
@@ -36,12 +37,12 @@ struct HeaderRemark {
 /// Columns of a table in the order of the file, with problems and warnings about them.
 struct TableHeader {
     std::vector<CaseColumn> columns;
-    /// Errors in the header: no column sets a parameter, a parameter occurs twice, a unit is unknown, or
-    /// bytes are not text. Also names that look like parameters but are not, differ from one only in case or
-    /// `_`, or contain several.
+    /// Errors in the header, such as a parameter that occurs twice, an unknown unit, or no column that sets a
+    /// parameter. Names that differ from a parameter only in case or `_`, that look like a parameter but are
+    /// none, or that contain several, are errors too.
     std::vector<HeaderRemark> problems;
-    /// Warnings about columns that name neither a parameter nor an output, or that repeat an output that is
-    /// appended.
+    /// Warnings about columns that are only copied: those with an unknown name, and those with the heading of
+    /// an output that is also computed.
     std::vector<HeaderRemark> warnings;
 
     /// Returns the parameters that the columns set, in the order of the columns.

@@ -28,11 +28,11 @@ struct DrillingScan {
     /// Sequences of blows in the order of the values. For each value there is a sequence that starts from
     /// rest. One that starts from bouncing follows if it differs by more than the errors.
     std::vector<DrillingScanPoint> points;
-    /// Number of blows of all sequences that start from bouncing. At each value the computation stops as soon
-    /// as this sequence agrees with the one from rest.
+    /// Number of computed blows in all sequences that start from bouncing. At each value, such a sequence
+    /// stops as soon as it agrees with the one from rest.
     long bouncingBlows = 0;
-    /// Coefficient of restitution e of a blow from rest without a gap, for the first value. In a scan of the
-    /// feed force it applies to all values.
+    /// Coefficient of restitution e of a single blow from rest without a gap, at the first value of the
+    /// scanned parameter. If the feed force is scanned, e is the same for all values. Empty if not known.
     std::optional<double> cor = {};
     double runTime = 0;
     /// Reason from scanRefusals() why the scan cannot run; there are then no points. Empty otherwise.
@@ -45,15 +45,17 @@ struct DrillingScanWork {
     bool lyapunov = false;               ///< whether to compute the Lyapunov exponent λ of every motion
     std::stop_token stop = {};
     DrillingProgress progress = {};
-    /// Callback, called after every value with the scan so far.
+    /// Callback, called after every value of the scanned parameter with the scan so far.
     std::function<void(const DrillingScan&)> onValue = {};
 };
 
-/// Returns why sequences of blows cannot be computed for some values of the axis; empty if all can.
+/// Returns why sequences of blows cannot be computed at the smallest or largest value of the axis, or at any
+/// of its words. Empty if they can; values between are not checked.
 std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
                                   const DrillingSettings& settings);
 
-/// Returns the maximum work of one value of the parameter [cells × nodes], including the Lyapunov exponent.
+/// Returns the estimated work at one value of a scanned parameter [time steps × nodes]. It includes the
+/// sequence from rest with its error and Lyapunov exponent, and one from bouncing.
 double scanWork(const Scenario& scenario, const DrillingSettings& settings);
 
 /// Returns the sequences of blows for all values of the axis, computed in parallel. Results do not depend on

@@ -28,12 +28,13 @@ struct ScanComparison {
     bool isLower(const Sequence& sequence) const;
     /// Returns whether any entry has a penetration rate lower than the best by more than the errors.
     bool isAnyLower() const;
-    /// Returns the penetration rate of a sequence divided by the best one. Empty if either is too uncertain
-    /// (see Sequence::isResolved()).
+    /// Returns the penetration rate of a sequence divided by the best one. Empty if the choice of the best
+    /// one or the mean of the sequence is too uncertain (see isResolved() of both).
     std::optional<double> bestShare(const Sequence& sequence) const;
 };
 
-/// Returns the comparison of a scan; empty if no point has statistics.
+/// Returns which value of a scan has the highest penetration rate, with the errors considered. Empty if no
+/// sequence of the scan that starts from rest has statistics.
 std::optional<ScanComparison> compareScan(const DrillingScan& scan);
 
 }  // namespace drillwave

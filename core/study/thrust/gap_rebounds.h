@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// Coefficient of restitution e derived from a curve over all gaps, or the reason why it is missing.
+/// Coefficient of restitution e derived from a curve over all gaps, or the reason why there is none.
 struct GapRebound {
     Estimate cor;
     Message reason;        ///< reason why there is no value; empty if there is one
@@ -22,44 +22,48 @@ struct GapRebound {
     bool known() const { return !stopped && reason.isEmpty(); }
 };
 
-/// Two values of e over all gaps, for the required feed force (theory §10). They depend only on the hammer
-/// force, β, γ and τ.
+/// Two coefficients of restitution e over all gaps, from which required feed forces follow (theory §10). They
+/// depend only on the hammer force, on β, γ and τ, and on the corners of the rock law.
 struct GapRebounds {
     GapRebound quantile;  ///< value that e does not exceed at 95 % of all gaps, for this rock
     GapRebound worst;     ///< largest e over all gaps if the rock were elastic (γ = 1)
 
-    /// Returns both values; empty if either is not known.
+    /// Returns the coefficients of restitution of `quantile` and `worst`; empty if one of them is not known.
     std::optional<ReboundsOverGaps> known() const {
         if (!quantile.known() || !worst.known()) return std::nullopt;
         return ReboundsOverGaps{quantile.cor, worst.cor};
     }
 };
 
-/// Returns the coefficient of restitution e over one period of the gap. The curve takes at most `mostPieces`
-/// wave pieces.
+/// Returns the coefficient of restitution e over one period of the gap. The work of all blows is limited to
+/// `mostPieces` wave pieces; if it exceeds this, the curve is incomplete.
 GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress,
                    long mostPieces = anyNumberOfPieces);
 /// Returns the coefficient of restitution e over all gaps, from 0, on elastic rock (γ = 1) of the same
-/// stiffness without corners. The curve takes at most `mostPieces` wave pieces.
+/// stiffness without corners. The work of all blows is limited to `mostPieces` wave pieces; if it exceeds
+/// this, the curve is incomplete.
 GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
                       long mostPieces = anyNumberOfPieces);
 
 /// Returns the value of e that is not exceeded at 95 % of all gaps of the curve.
 GapRebound quantileOf(const GapCurve& rock);
-/// Returns the largest e over all gaps of the curve.
+/// Returns the largest coefficient of restitution e over all gaps of a curve, or the reason why the curve is
+/// incomplete.
 GapRebound worstOf(const GapCurve& elastic);
 
-/// Solver for two coefficients of restitution e over all gaps. One is not exceeded at 95 % of the gaps, the
-/// other is the largest on elastic rock. Keeps its results as long as the hammer force stays the same. Each
-/// thread needs its own object; results do not depend on earlier calls.
+/// Solver for the two coefficients of restitution e in GapRebounds, from which the required feed force over
+/// all gaps follows. Keeps its results as long as the hammer force stays the same. Each thread needs its own
+/// object; results do not depend on earlier calls.
 class GapReboundFinder {
   public:
-    /// Sets the maximum number of wave pieces of a curve. A curve that needs more has no result.
+    /// Sets the maximum work of each curve over the gaps, in wave pieces (the solver's unit of work). A curve
+    /// that needs more has no result.
     explicit GapReboundFinder(long mostPieces = anyNumberOfPieces) : m_mostPieces(mostPieces) {}
 
-    /// Returns the values of e over all gaps for a problem; its own gap is ignored.
+    /// Returns the two coefficients of restitution over all gaps for a problem, whose own gap is ignored.
+    /// Computes them only if they are not known from earlier calls.
     GapRebounds of(const Problem& problem, const std::stop_token& stop);
-    /// Stores known values of e, so that of() returns them without computing.
+    /// Stores known values of e for a problem, so that of() returns them without computing.
     void remember(const Problem& problem, const GapRebounds& rebounds);
 
   private:

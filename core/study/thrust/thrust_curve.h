@@ -36,20 +36,21 @@ using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
 
 /// Returns the required feed force for several values of a parameter (SI, within its allowed range). A point
 /// has a reason instead of numbers if the value does not apply or makes the scenario invalid. The same holds
-/// if thrustProblem() is not empty or the blow cannot be solved. The blow of a point may take `limits`. The
-/// result does not depend on the number of threads `jobs` (≥ 1).
+/// if thrustProblem() gives a reason or the blow cannot be solved. `limits` is the maximum work of each blow.
+/// The result does not depend on the number of threads `jobs` (≥ 1).
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {},
                         const WorkLimits& limits = {});
 
-/// Returns the required feed force for several values of a parameter, computed on the calling thread. Uses
-/// and extends the results that `finder` has kept from earlier curves.
+/// Returns the required feed force for several values of a parameter, computed on the calling thread.
+/// Coefficients of restitution over the gap that `finder` knows are not computed again, and new ones are kept
+/// in it.
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         GapReboundFinder& finder, const std::stop_token& stop = {},
                         const ThrustCurveProgress& progress = {});
 
-/// Returns the required feed force of the unchanged scenario. `value` is the parameter's value in it (NaN if
-/// it has none).
+/// Returns the required feed force of the unchanged scenario, as a point of a curve. `value` is the
+/// parameter's value in it (NaN if it has none).
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop = {});
 

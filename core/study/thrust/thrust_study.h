@@ -14,12 +14,13 @@ namespace drillwave {
 
 struct ThrustStudy {
     FeedEstimate feed;
-    /// Values of e over all gaps; empty for a drill string, whose results do not repeat with the gap.
+    /// Coefficients of restitution e for the two cases over all gaps. Empty for a drill string, whose results
+    /// do not repeat with the gap.
     std::optional<GapRebounds> rebounds;
     /// Impulse that the hammer transfers, in units of I0 (see ImpactSummary::transferred).
     double transferred = 1;
     /// Share of all gaps, 0 … 1, at which the effective feed force is at least the required one, f I0 (1 +
-    /// e).
+    /// e). Empty without an installed feed force, and for a drill string.
     std::optional<double> shareFull;
     Message reason;                          ///< reason why there is no result; empty if there is one
     Hindrance hindrance = Hindrance::other;  ///< kind of obstacle, if the scenario's own blow is the reason
@@ -38,12 +39,12 @@ Message thrustRefusal(const Scenario& scenario);
 
 /// Returns the required feed forces of a scenario. There is no result if thrustRefusal() gives a reason or if
 /// the scenario's own blow exceeds `limits`. The same holds if one of the two curves over the gap takes more
-/// than `mostPieces` wave pieces.
+/// than `mostPieces` wave pieces (the solver's unit of work).
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
-/// Returns the required feed force of a drill string, from one solved blow without a study of gaps. Empty for
-/// a uniform rod, whose gaps must be studied.
+/// Returns the required feed force of a drill string, computed from one solved blow. Empty for a uniform rod,
+/// for which studyThrust() also studies all gaps.
 std::optional<ThrustStudy> studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy,
                                              MethodSolver& solver, const std::stop_token& stop);
 
