@@ -28,18 +28,20 @@ class KeptRows {
     /// overwritten.
     enum class Other { isProblem, isReplaced };
 
-    /// Continues an interrupted run with the same `entries` (recordEntries()), or begins a new one.
+    /// Continues the interrupted run of this `file` if it has the same `entries` (recordEntries()). Otherwise
+    /// begins a new run.
     KeptRows(const std::string& file, const std::string& entries, Other other);
     ~KeptRows();
     KeptRows(const KeptRows&) = delete;
     KeptRows& operator=(const KeptRows&) = delete;
 
-    /// Returns why the run can neither continue nor begin; empty if it can. Rows of another run, another
-    /// process or the disk may prevent it.
+    /// Returns why the run can neither continue nor begin: the files belong to another run, another process
+    /// uses them, or the disk fails. Empty if it can.
     const Message& problem() const { return m_problem; }
     /// Returns the path of FILE.partial, which contains the rows.
     const std::string& path() const { return m_path; }
-    /// Returns the progress of the interrupted run. Bytes of FILE.partial beyond RowsDone::sum are not valid.
+    /// Returns the progress of the interrupted run that this run continues; no rows for a new run.
+    /// FILE.partial may have more bytes than RowsDone::sum counts; the further ones are not valid.
     const RowsDone& done() const { return m_done; }
 
     /// Records the progress, but at most every 200 ms. All rows counted in `done` must already be written to
@@ -47,12 +49,14 @@ class KeptRows {
     WriteFailure note(const RowsDone& done);
     /// Records the progress at once. Returns an empty failure when done.
     WriteFailure noteNow(const RowsDone& done);
-    /// Removes FILE.partial.yaml. Call it when the rows are in their final file.
+    /// Removes FILE.partial.yaml, which holds the description and progress of the rows. Call it after the
+    /// rows have been moved to their final file.
     void remove();
 
   private:
     void open(const std::string& entries, Other other);
-    /// Reads the progress that an earlier run recorded, and returns the number of its bytes that are valid.
+    /// Sets the progress to that in the text `notes` of an earlier run, as far as FILE.partial confirms it.
+    /// Returns the number of bytes of `notes` that are valid.
     std::uint64_t takeUp(std::string_view notes);
 
     std::string m_path;

@@ -29,8 +29,8 @@ struct KeptRun {
     ScenarioDocument contents;  ///< scenario of the run; `text` in it equals the run's file byte for byte
     bool isShown = true;        ///< whether the curves of the run are drawn in the plots
     bool isReference = false;   ///< whether the present result and other runs are compared with this run
-    /// Coefficient of restitution e of the run. If solving the run again gives another e, the table file of
-    /// its hammer force has changed.
+    /// Coefficient of restitution e of the run. It shows whether the table file of the hammer force has
+    /// changed: solving the run again then gives another e.
     std::optional<double> cor;
     /// Version of the program that solved the run; empty if the index file does not give it.
     std::string version = {};
@@ -59,17 +59,17 @@ KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath);
 // Folder of kept runs, and which of its files this program has written.
 
 /// Folder of pinned runs. This object remembers names and contents of the files that it has read or written.
-/// Any other file with the name of a run, or with changed contents, is foreign. Copies may be used on another
-/// thread.
+/// A file is foreign if it has the name of a run but is not among them, or if its contents have changed
+/// since. Copies may be used on another thread.
 class RunsFolder {
   public:
     RunsFolder() = default;
     explicit RunsFolder(std::string path) : m_path(std::move(path)) {}
 
-    /// Returns the path of the folder; empty without a scenario file.
+    /// Returns the path of the folder of pinned runs; empty if the scenario has no file.
     const std::string& path() const { return m_path; }
-    /// Remembers the files with these names, with their present contents on the disk, as files of this
-    /// program that may be replaced.
+    /// Remembers the files with these names as files of this program, which it may replace. It stores their
+    /// present contents on the disk, to notice changes by others.
     void adopt(const std::vector<NamedFile>& named);
     bool hasFiles() const { return !m_files.empty(); }
     /// Returns whether these are exactly the files that this object has read or written, with the same names
@@ -82,12 +82,12 @@ class RunsFolder {
     /// Returns the numbers of runs whose files exist but were not read or written by this object.
     std::vector<int> foreignNumbers() const;
 
-    /// Writes the files, the index last, all or none, and removes files of earlier runs that are not among
-    /// them. Files that others have put there are replaced only with ExistingFiles::replaced. Returns an
-    /// empty message when done, else the reason. Waits for the disk.
+    /// Writes the files of all runs, the index last, all or none. Removes files of earlier runs that are not
+    /// among them. Foreign files are replaced only with ExistingFiles::replaced; otherwise they are a
+    /// problem. Returns an empty message when done, else the problem. Waits for the disk.
     Message write(const std::vector<NamedFile>& files, ExistingFiles existing);
-    /// Removes the files that this object has read or written and that have not changed since, and the folder
-    /// if nothing else is in it.
+    /// Removes the files that this object has read or written, except files that others have changed since.
+    /// Removes the folder too if nothing else is in it.
     void remove();
 
   private:

@@ -18,12 +18,13 @@ BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& sto
                     const GapProgress& progress = {}, const WorkLimits& limits = {});
 
 /// Returns the values given in the text of a scenario file, in the order of the file, and values that it
-/// omits. The source of a value is the comment after it, else the built-in preset that the scenario follows.
-/// For omitted values it is "assumed by the program".
+/// omits, all with their sources. The source is the comment after the value, else the built-in preset that
+/// the scenario follows. Without both it is "not stated", or "assumed by the program" for omitted values.
 std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text);
 
-/// Returns the sections of hammer and drill string as the text gives them, with their sources; none for a
-/// uniform rod. A source is the comments after the values, else the comment after the list, else the preset.
+/// Returns the sections that the text of a scenario file lists for hammer and drill string, with the source
+/// of each. Empty for a uniform rod. A source is the comments after the values, else the comment after the
+/// list, else the preset.
 std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text);
 
 }  // namespace drillwave

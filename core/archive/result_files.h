@@ -19,8 +19,8 @@ namespace drillwave {
 /// File extensions of the picture formats.
 inline constexpr std::array<std::string_view, 3> pictureFormats{"png", "svg", "pdf"};
 
-/// Marks in the properties of pictures, by which a later run recognises files of an earlier one. They are for
-/// pictures next to the file of a study, for figures of the paper, and for reports.
+/// Texts in the properties of pictures, by which a later run recognises pictures that it may replace. The
+/// pictures belong to a study, to figures of the paper, or to a report.
 inline constexpr std::string_view studyPictureMark = "Drillwave study";
 inline constexpr std::string_view figureMark = "Drillwave figure";
 inline constexpr std::string_view reportMark = "Drillwave report";
@@ -35,7 +35,7 @@ struct PictureOrder {
 
 // Files of one blow, as written by `drillwave run -o` and by the export of the window.
 
-/// Blow, with the scenario text and other data that the files of its results contain.
+/// Solved blow, with everything else that the files of its results contain.
 struct SolvedRun {
     Blow blow;                 ///< blow, solved with Detail::histories
     std::string scenarioText;  ///< complete text of the scenario of the blow (completeScenarioText())
@@ -45,7 +45,7 @@ struct SolvedRun {
 /// Returns the default units for the files of a run: SI if the scenario has units, else dimensionless.
 OutputUnits customaryUnits(const Scenario& scenario);
 
-/// Returns the lines at the top of every CSV file: the entire scenario, and how it was solved.
+/// Returns the lines at the top of every CSV file of a run: the entire scenario, and how it was solved.
 std::string runHeader(const SolvedRun& run);
 
 /// Returns the text of histories.csv: a header with the entire scenario, then the histories over time. For a
@@ -62,17 +62,17 @@ std::string scenarioFile(const SolvedRun& run);
 /// Returns the names of all files of a run, with pictures in these formats.
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats);
 
-/// Returns the names of files in the folder that are named like the files of a run, with pictures in any
-/// format.
+/// Returns the names of existing files in the folder that a run may have written, such as "summary.json".
+/// Pictures in all formats are included.
 std::vector<std::string> runFilesThere(const std::string& folder);
 
 /// File name of the record of gauges in the folder of a run (core/report/gauge_record.h).
 inline constexpr char gaugeRecordName[] = "record.csv";
 
-/// Returns the files of the folder of a run, together with `further` ones, such as pictures or a record of
-/// gauges. Pictures of an earlier run in other formats would show another blow and are removed. A folder with
-/// summary.json is complete. The same run always gives the same bytes, except `run_time` in summary.json and
-/// the creation date in PDF.
+/// Returns the files to be written for a run, together with `further` ones, such as pictures or a record of
+/// gauges. Pictures of an earlier run in the same folder are removed, as they show another blow. The file
+/// summary.json is written last: a folder that contains it is complete. The same run always gives the same
+/// bytes, except `run_time` in summary.json and the creation date in PDF.
 FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> further);
 
 // Files that belong together: those next to the rows of a study, and the two files of a report.
@@ -88,20 +88,22 @@ std::string recordName(std::string_view file);
 /// Returns the name of the file of contours of a map: "map_contours.csv" for "map.csv".
 std::string contoursName(std::string_view file);
 
-/// Returns the name of the file with the curve for a goal: "curve_goal.csv" for "curve.csv".
+/// Returns the name of the file with the parameter values at which a curve reaches a goal: "curve_goal.csv"
+/// for "curve.csv".
 std::string goalName(std::string_view file);
 
-/// Returns the names of files next to `file` that an earlier study wrote: its record, contours, goal and
-/// pictures. They are recognised by name and content, so that other files with such a name are not listed.
+/// Returns the names of files next to the CSV file `file` that an earlier study wrote: YAML record, contours
+/// of a map, curve values for a goal, and pictures. They are recognised by name and content, so that other
+/// files with such a name are not listed.
 std::vector<std::string> studyFilesThere(const std::string& folder, const std::string& file);
 
-/// Returns the names of the pictures STEM.png, STEM.svg and STEM.pdf in the folder that have `mark` in their
-/// properties.
+/// Returns the names of the pictures STEM.png, STEM.svg and STEM.pdf in the folder that this program has
+/// written: their properties contain `mark`.
 std::vector<std::string> picturesThere(const std::string& folder, const std::string& stem,
                                        std::string_view mark);
 
-/// Returns the other file of a report if `file` exists: report.pdf for report.html, and the reverse. Empty if
-/// it does not exist, or is not from a report.
+/// Returns the other file of a report: report.pdf for report.html, and the reverse. Empty if `file` or the
+/// other file does not exist, or if the other file is not from a report.
 std::vector<std::string> reportFilesThere(const std::string& folder, const std::string& file);
 
 }  // namespace drillwave

@@ -13,9 +13,9 @@
 
 namespace drillwave {
 
-/// Largest number of bytes read from a result, 4 MiB. A scenario has at most 1 MiB, but more with "# " before
-/// each line or as text in JSON with thousands of events. For a CSV file or an HTML page the beginning is
-/// sufficient.
+/// Largest number of bytes read from a result, 4 MiB. A scenario has at most 1 MiB, but takes more space in
+/// JSON or with "# " before each line. In a CSV file or HTML page it is at the beginning, and the rest need
+/// not be read.
 inline constexpr std::size_t maximumInputBytes = std::size_t{1} << 22;
 
 /// Scenario, with information on the file that contained it.
@@ -49,7 +49,7 @@ bool isNewerVersion(std::string_view version, std::string_view than);
 
 /// Returns the text of a scenario that needs no other file: points of a table file are written into it. If
 /// the text would be larger than 1 MiB, it gives the absolute path of the table file instead. Throws
-/// ScenarioError if the text is then still too large, or there is no table file.
+/// ScenarioError if the text is still too large, or if the scenario has no table file.
 std::string completeScenarioText(ScenarioDocument document);
 
 // Changes in results since older versions (manual, upgrading).

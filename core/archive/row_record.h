@@ -45,12 +45,12 @@ struct RowRecord {
     std::string scenario;              ///< complete scenario as YAML
 };
 
-/// Returns the text of the record next to a file of rows: recordEntries(), and their checksum in the last
-/// line.
+/// Returns the complete record, the YAML file that describes a CSV file of rows: recordEntries(), then a line
+/// with their checksum.
 std::string recordText(const RowRecord& record);
 
-/// Returns the lines of the record next to a file of rows, without the checksum. They contain the scenario as
-/// text, where parseInput() finds it.
+/// Returns the lines of the record, the YAML file that describes a CSV file of rows, without the checksum
+/// line. They contain the scenario as text, from which parseInput() can read it.
 std::string recordEntries(const RowRecord& record);
 
 /// Returns the lines "bytes: 123" and "crc32: 0a1b2c3d" for a size and checksum, with `prefix` before both
@@ -60,16 +60,17 @@ std::string sumLines(std::string_view prefix, const FileSum& sum);
 /// Key of the last line of a record, which is the checksum of all lines before it.
 inline constexpr std::string_view recordChecksumKey = "record_crc32";
 
-/// Returns the entries of a record, followed by a last line with their checksum.
+/// Returns the lines of a record, followed by a last line with their checksum.
 std::string sealed(std::string entries);
 
-/// Returns the entries of a record without the checksum line; nullopt if this line is missing or does not
-/// match the entries.
+/// Returns the lines of a record without the last line, the checksum. Returns nullopt if this line is missing
+/// or does not match the other lines.
 std::optional<std::string_view> unsealed(std::string_view record);
 
 // Part of the rows of a run that was divided, as its record describes it.
 
-/// Contents of the record of one part of the rows.
+/// Contents of the record of one part of a sweep or table. The option --shard divides a sweep or table into
+/// parts.
 struct RowPart {
     std::string file;     ///< path of the file of rows
     std::string command;  ///< command line that computes this part of the rows, including its option --shard
@@ -84,23 +85,26 @@ struct RowPart {
 /// (unreadable) if the text is not a record, or was changed after it was written.
 RowPart parseRowPart(std::string_view record, const std::string& file);
 
-/// Returns the first key in which the records of two parts differ although they must agree, such as "axes";
-/// empty if they agree. Only the keys rows, unsolved, bytes, crc32, part and command may differ.
+/// Returns the first key in which the records of two parts of a divided sweep or table differ, although they
+/// must agree: "axes". Empty if they agree. Only the keys rows, unsolved, bytes, crc32, part and command may
+/// differ.
 std::string differingKey(const RowPart& one, const RowPart& other);
 
-/// Returns why parts whose records agree do not form a whole: missing or repeated parts, or parts with a
-/// wrong number of rows. Each message names the part. Empty if they form a whole.
+/// Returns why the parts of a divided sweep or table cannot be joined: missing or repeated parts, or parts
+/// with a wrong number of rows. Each message names the part. Empty if they can be joined. Requires parts
+/// whose records agree.
 std::vector<Message> wholeProblems(std::span<const RowPart> parts);
 
-/// Number of rows of all parts together, and size and checksum of their common file.
+/// Number of rows of all parts of a divided sweep or table, and size and checksum of the file in which they
+/// are joined.
 struct WholeRows {
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;
     FileSum sum;
 };
 
-/// Returns the record of the joined rows, made from the record of any part, with the given command and
-/// numbers.
+/// Returns the record of the file in which all parts of a divided sweep or table are joined. It is made from
+/// the record of any part, with the given command and numbers.
 std::string wholeRecord(const RowPart& part, std::string_view command, const WholeRows& whole);
 
 }  // namespace drillwave

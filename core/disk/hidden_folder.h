@@ -13,7 +13,7 @@ namespace drillwave {
 
 // Lock on a folder, respected by all runs of this program.
 
-/// Lock on a folder: a hidden file in it, locked by this process and removed at the end.
+/// Lock on a folder: a hidden file in it that this process has locked. The destructor removes the file.
 class FolderLock {
   public:
     static constexpr std::string_view fileName = ".drillwave.lock";
@@ -23,8 +23,9 @@ class FolderLock {
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    /// Returns 0 if the lock was obtained, EWOULDBLOCK if another process holds it, else the errno. Leaves no
-    /// file behind on a disk without locks. Does not follow a symbolic link of that name.
+    /// Tries to take the lock. Returns 0 if this process now holds it, EWOULDBLOCK if another process does,
+    /// else the errno. Leaves no file on a disk without locks. Does not follow a symbolic link at the path of
+    /// the lock.
     int tryLock();
 
     const std::string& path() const { return m_path; }
@@ -38,9 +39,9 @@ class FolderLock {
 /// process is no such error.
 bool isLockingUnsupported(int error);
 
-/// Hidden folder inside another one: `new` contains new files, `old` the replaced ones. The destructor
-/// removes it with its contents. The process holds a lock on it. If the process dies, the missing lock shows
-/// it, and the next run completes or undoes the exchange of files (mendFolder()).
+/// Hidden folder for an exchange of files in the folder around it: `new` contains new files, `old` the
+/// replaced ones. The destructor removes it with its contents. The process holds a lock on it. If the process
+/// dies, its lock disappears. The next run then completes or undoes the exchange (mendFolder()).
 class HiddenFolder {
   public:
     HiddenFolder() = default;
@@ -60,7 +61,7 @@ class HiddenFolder {
     /// moved. If this process dies before endExchange(), the next run repairs the folder that contains this
     /// hidden one. Returns an empty failure when done.
     WriteFailure beginExchange(const std::vector<std::string>& names);
-    /// Ends an exchange of files: the list of names written by beginExchange() is removed. Requires that all
+    /// Ends an exchange of files by removing the list of names that beginExchange() wrote. Requires that all
     /// files were moved, or none.
     void endExchange();
 
@@ -74,8 +75,8 @@ class HiddenFolder {
 /// Requires the lock of the folder.
 void mendLockedFolder(const std::string& folder);
 
-/// Takes the lock of a folder and repairs what crashed runs of the program left there while exchanging files;
-/// see mendLockedFolder(). Does nothing if another process holds the lock.
+/// Repairs a folder in which runs of the program crashed while they exchanged files; see mendLockedFolder().
+/// Takes the lock of the folder for this. Does nothing if another process holds the lock.
 void mendFolder(const std::string& folder);
 
 }  // namespace drillwave

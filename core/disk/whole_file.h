@@ -37,15 +37,15 @@ class WholeFile {
     /// Opens the new file for writing. Either this or openKept() must be called first. Returns an empty
     /// failure when done.
     WriteFailure open();
-    /// Opens the file `kept` (on the same disk) to become the new file, or makes it. Cuts it to its first
-    /// `bytes` bytes and appends later writes. Without commit() `kept` remains. Returns an empty failure when
-    /// done.
+    /// Opens the existing file `kept`, or makes it, to become the new file in commit(). It must be on the
+    /// same disk. Its first `bytes` bytes remain, and later writes are appended. Without commit() `kept`
+    /// remains. Returns an empty failure when done.
     WriteFailure openKept(const std::string& kept, std::uint64_t bytes);
     WriteFailure write(std::string_view bytes);
     /// Waits until all bytes are on the disk, and then replaces the file. Returns an empty failure when done.
     WriteFailure commit() { return commitAs(m_path); }
-    /// Moves the new file to `path` on the same disk, once all bytes are on the disk, instead of replacing
-    /// path(). The caller can then move it into place. Returns an empty failure when done.
+    /// Moves the new file to another path on the same disk, once all bytes are on the disk; the file at
+    /// path() remains. The caller can then move it into place. Returns an empty failure when done.
     WriteFailure commitAs(const std::string& path);
 
     /// Returns the path of the file to be replaced. It is the path given; after open(), all symbolic links in

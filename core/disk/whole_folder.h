@@ -24,12 +24,12 @@ struct FolderFiles {
     /// Files in order. The last one is removed first and written last, so that a folder that has it is
     /// complete, even after a power failure.
     std::vector<NamedFile> files;
-    /// Function that returns the names of files left from an earlier set in the folder with the given path.
-    /// Overwriting deletes these files; if existing files must be kept, writing fails if there are any. May
-    /// be empty.
+    /// Function that returns the names of files in the given folder that belong to an earlier set. With
+    /// ExistingFiles::replaced these files are deleted or replaced. With ExistingFiles::kept any such file
+    /// makes writing fail. May be empty.
     std::function<std::vector<std::string>(const std::string& folder)> outdated;
-    /// File too long to keep in memory, to be put in place after all others. It is already written in the
-    /// folder, under no or a temporary name; nullptr if there is none.
+    /// File that is too long to keep in memory. Its contents are already in the folder, in a file without a
+    /// name or with a temporary name. It gets its final name after all other files; nullptr if there is none.
     WholeFile* last = nullptr;
 
     std::vector<std::string> names() const;
@@ -44,19 +44,20 @@ struct FolderEnd {
     bool isWritten() const { return kind == Kind::written; }
 };
 
-/// Callback with the path of the lock, called once if another run has held the lock for a while.
+/// Callback for a long wait, with the path of the lock file. It is called once if another run has held the
+/// lock of the folder for two seconds.
 using OnLongWait = std::function<void(const std::string& lockPath)>;
 
 /// Writes files into a folder, all of them or none, also after a failure or a stop request. Several runs of
-/// this program may write there at the same time. If existing files are kept, at most one of them succeeds;
-/// if they are replaced, the last one determines all files. Returns whether the files were written.
+/// this program may write there at the same time. If existing files are kept, at most one of these runs
+/// succeeds; if they are replaced, the last run determines all files. Returns whether the files were written.
 ///
 /// The files are first written into a hidden folder on the same disk. If `folder` does not exist yet, the
 /// hidden folder is renamed to it. Otherwise the files are exchanged one by one, under a lock that other runs
 /// respect. Exchanging whole folders would lose files that others put there meanwhile, disturb programs that
 /// use the folder, and fail on mount points. All old files are removed before the first new one appears, so
 /// that files of two sets are never mixed. If a run dies meanwhile, mendFolder(), with which every run
-/// begins, repairs the folder. Files with other names are never changed. A symbolic link with such a name is
+/// begins, repairs the folder. Other files are never changed. A symbolic link with the name of a new file is
 /// replaced, not followed.
 FolderEnd writeWholeFolder(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
                            const std::stop_token& stop = {}, const OnLongWait& onLongWait = {});

@@ -18,8 +18,8 @@ std::string withoutMarks(std::string_view line);
 /// Returns the texts between backquotes in a line, in order.
 std::vector<std::string_view> codeIn(std::string_view line);
 
-/// Returns the text as lines of at most `width` columns, at least one, broken at blanks. A longer word has a
-/// line of its own.
+/// Returns the text as lines of at most `width` columns, broken at blanks. A word that is longer has a line
+/// of its own. An empty text gives one empty line.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 /// Block of Markdown: lines that belong together, such as a paragraph or a table.

@@ -38,7 +38,8 @@ ParameterFacts factsOf(const SectionField& field, const ReadingStyle& style);
 /// are many, only their range. Empty if no preset sets it.
 std::vector<std::string> presetValues(const Parameter& parameter, const ReadingStyle& style);
 
-/// Returns the chapter on all parameters, in Markdown. Each has a section whose heading begins with its key.
+/// Returns the chapter of the manual on all parameters, in Markdown, with one section for each parameter. The
+/// heading of a section begins with the key of its parameter.
 std::string parameterReference(const ReadingStyle& style);
 /// Returns the chapter on all outputs, in Markdown.
 std::string outputReference(const ReadingStyle& style);
@@ -49,8 +50,8 @@ std::string referenceOf(const SectionField& field, const ReadingStyle& style);
 std::string referenceOf(const WordParameter& parameter, const ReadingStyle& style);
 std::string referenceOf(const Output& output, const ReadingStyle& style);
 
-/// Returns the scale of a dimensionless output, such as "I0" or "t0", of which it is a multiple; "–" for a
-/// plain number.
+/// Returns the name of the scale by which a dimensionless output is multiplied to give SI, such as "I0" or
+/// "t0"; "–" if the output has none.
 std::string_view scaleName(const Output& output);
 /// Returns the name of the SI unit of an output; "–" if the output has none.
 std::string_view siName(const Output& output);

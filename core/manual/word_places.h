@@ -14,7 +14,8 @@ namespace drillwave {
 
 /// Section of the manual that contains a word.
 struct WordPlace {
-    /// Place of the word in the section, the best first.
+    /// Part of the section in which the word was found, the best first. `wholeTitle` means that the title has
+    /// no other words.
     enum class Rank { wholeTitle, title, term, row, text };
     Rank rank = Rank::text;
     std::string chapter;  ///< name of the chapter, "theory"
@@ -31,11 +32,11 @@ std::size_t countOfWord(std::string_view text, std::string_view word);
 /// Returns whether a text contains each of the words in `words`, which are separated by blanks.
 bool hasWords(std::string_view text, std::string_view words);
 
-/// Returns the sections of the manual that contain each of the words in `words`. The best hits are first:
-/// titles, terms of the glossary, first cells of table rows, then text. At most five hits in text are
-/// returned, those with the most words first. A section counts once; each entry of the glossary counts, at
-/// most five. Within a rank, chapters on the window and the evidence come last. The reference pages are left
-/// out, as their sections have no numbers.
+/// Returns the sections of the manual that contain each of the words in `words`. The best hits are first: in
+/// titles, terms of the glossary, first cells of table rows, then in text. At most five hits in text are
+/// returned, those with the most words first. A section counts as one hit; in the glossary each entry is a
+/// hit, and at most five are returned. Among hits of equal rank, chapters on the window and the evidence come
+/// last. The reference pages are not searched, as their sections have no numbers.
 std::vector<WordPlace> placesOfWords(std::span<const Chapter> manual, std::string_view words);
 
 }  // namespace drillwave

@@ -19,8 +19,8 @@ inline bool hasSections(const Scenario& scenario) {
     return !scenario.drillString.parts.empty();
 }
 
-/// Returns whether two scenarios both have a list of sections or both have none. Only then can their
-/// positions and the scales of their outputs be compared.
+/// Returns whether both scenarios have a list of sections, or neither has one. Only then can positions along
+/// them, and results given as multiples of their scales, be compared.
 inline bool areOfOneKind(const Scenario& one, const Scenario& other) {
     return hasSections(one) == hasSections(other);
 }

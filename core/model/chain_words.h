@@ -6,20 +6,23 @@
 
 namespace drillwave {
 
-/// Sentences and labels about a uniform rod or a drill string, in English and marked for translation.
+/// Sentences and labels that differ between a uniform rod and a drill string, in English and marked for
+/// translation.
 struct ChainWords {
     const char* kind;         ///< name of the kind of scenario, "uniform rod"
     const char* assumptions;  ///< sentence on what the model neglects
-    /// Sentence on the references of the shares of energy and momentum in tables, "W is the work of the
-    /// hammer."
+    /// Sentence that explains the references of shares of energy and momentum in tables: "W is the work of
+    /// the hammer."
     const char* references;
     const char* errors;  ///< sentence on what the stated errors of results include and leave out
-    /// "pulse %1" for the shape of the force, after the groups; empty if groups do not describe the blow
+    /// Label "pulse %1" with the shape of the force, shown after the dimensionless groups. Empty for a drill
+    /// string, which the groups do not describe completely.
     const char* pulse = "";
-    /// Sentence with the coefficient of restitution e as %1; empty if e is not a main result.
+    /// Sentence with the coefficient of restitution e as %1; empty for a drill string, for which e is not a
+    /// main result.
     const char* rebound = "";
     const char* stresses;  ///< title of the largest stresses
-    /// Default position of histories of force and velocity, "at the middle of the rod".
+    /// Words for the default position of histories of force and velocity, "at the middle of the rod".
     const char* historyPlace;
     const char* blowCaption;    ///< caption of the histories over time, with their position as %1
     const char* stressCaption;  ///< caption of the largest stresses along the rod or string

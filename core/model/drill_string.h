@@ -28,15 +28,15 @@ struct Section {
     double bore = 0;      ///< diameter of the flushing hole [m]; unused if `area` is given
     /// Cross-section A [m²], for a cone at its rear end; if given, replaces diameter and bore.
     std::optional<double> area;
-    /// Outer diameter of a cone at its far end [m]; unused if `area` is given.
+    /// Outer diameter of a cone at its end towards the rock [m]; unused if `area` is given.
     std::optional<double> endDiameter;
-    /// Cross-section of a cone at its far end [m²]; used only if `area` is given.
+    /// Cross-section of a cone at its end towards the rock [m²]; used only if `area` is given.
     std::optional<double> endArea;
     std::optional<double> youngsModulus;  ///< Young's modulus E [Pa] (default: that of the common material)
     std::optional<double> density;        ///< density ρ [kg/m³] (default: that of the common material)
-    /// Mass M [kg] lumped at the far end; after the last section the mass M_b of the bit.
+    /// Mass M [kg] lumped at the end towards the rock; after the last section it is the mass M_b of the bit.
     double massAfter = 0;
-    /// Share η of the energy of a wave that is lost in the joint at the far end, 0 ≤ η < 1.
+    /// Share η of the energy of a wave that is lost in the joint at the end towards the rock, 0 ≤ η < 1.
     double loss = 0;
     double attenuation = 0;  ///< decay α of the amplitude of a wave per length [1/m]
     /// Yield strength [Pa]; a higher stress raises a warning but changes no result.
@@ -48,7 +48,7 @@ struct Section {
 
 /// Part of a drill string: one section, or a repeat of several sections.
 struct StringPart {
-    /// Number of times that the sections follow one another; 1 unless `group`.
+    /// Number of times that the sections of a repeat follow one another; 1 if `group` is false.
     int repeat = 1;
     bool group = false;             ///< whether the file lists the part as a repeat, even of a single section
     std::vector<Section> sections;  ///< sections of the part from its rear end, exactly one unless `group`
@@ -89,7 +89,7 @@ std::uint64_t sectionCount(const DrillString& drillString);
 std::vector<const Section*> expandedSections(const DrillString& drillString);
 
 /// Returns the sections of the hammer from its rear, then those of the string with repeats expanded. Results
-/// have this order.
+/// for each section are in this order.
 std::vector<const Section*> allSections(const DrillString& drillString);
 
 /// Section of a drill string with its position: its number in the string, from 1 with repeats expanded. A
@@ -98,7 +98,7 @@ struct PlacedSection {
     const Section* section = nullptr;
     std::uint64_t place = 1;
 };
-/// Returns every section of the string once, in the order of a scenario file, with its position.
+/// Returns every section of the string once, in the order of a scenario file, with its number in the string.
 std::vector<PlacedSection> placedSections(const DrillString& drillString);
 
 /// Returns the section at a position, from 1 with repeats expanded, or nullptr after the last one. All copies
@@ -108,8 +108,8 @@ const Section* sectionAt(const DrillString& drillString, std::uint64_t place);
 /// Returns the first part of the string that is a repeat, or nullptr.
 const StringPart* firstRepeat(const DrillString& drillString);
 
-/// Returns the section that the scales of results refer to: the first one named "rod", else the longest one;
-/// nullptr without sections.
+/// Returns the section whose impedance and cross-section the scales of results use: the first one named
+/// "rod", else the longest one. Returns nullptr if the string has no sections.
 const Section* ruleSection(const DrillString& drillString);
 
 }  // namespace drillwave

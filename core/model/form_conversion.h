@@ -21,7 +21,8 @@ struct Conversion {
 /// differs from `material`.
 Section sectionOf(const Rod& rod, const Material& material);
 
-/// Returns why a scenario cannot become a drill string: it has no units, or no hammer. Empty if it can.
+/// Returns why a scenario cannot be converted to a drill string: it is one already, it has no units, or it
+/// has no hammer. Empty if it can.
 Message whyNoString(const Scenario& scenario);
 
 /// Returns the rod as the only section of a drill string under the same force, of any shape. Requires a
@@ -30,30 +31,32 @@ Scenario oneSectionOf(const Scenario& scenario);
 
 /// Returns the rod as a drill string of one section. A piston becomes a hammer whose motion is simulated. A
 /// rectangular force becomes a hammer of the same impulse, with the impedance Z of the rod and the length c
-/// t0/2, to whole millimetres. Other forces stay as they are. The hammer does not strike again after it has
-/// separated. Results agree with those of the uniform rod for a rectangular force, and for a piston whose
-/// impedance is at most that of the rod (theory of strings, §10). Requires whyNoString() to be empty.
+/// t0/2. Other forces stay as they are. With a hammer, lengths are rounded by roundedLength(), and the hammer
+/// does not strike again after it has separated. Except for this rounding, a rectangular force gives the same
+/// results as for the uniform rod. So does a piston whose impedance is at most that of the rod (theory of
+/// strings, §10). Requires whyNoString() to be empty.
 Conversion stringOf(const Scenario& scenario);
 
-/// Returns the same drill string under a prescribed force instead of its hammer. The force is that of a
-/// uniform piston with the mass, velocity and transit time of the hammer. Requires a drill string that is
-/// struck by a hammer.
+/// Returns the scenario of a drill string with its hammer replaced by a prescribed force. The force is that
+/// of a uniform piston with the mass, velocity and transit time of the hammer. Requires a drill string that
+/// is struck by a hammer.
 Conversion forcedStringOf(const Scenario& scenario);
 
 /// Returns the scenario under a prescribed force: the result of forcedStringOf() if a hammer of sections
 /// strikes, otherwise the scenario unchanged.
 Scenario withForce(const Scenario& scenario);
 
-/// Returns a uniform rod with the sizes and the material of the ruleSection() of a drill string and the
-/// transit time of the whole string. The force is the same, or that of a uniform piston with the mass,
-/// velocity and transit time of the hammer. Requires a drill string.
+/// Returns a drill string converted to a uniform rod. Sizes and material are those of ruleSection(), the
+/// transit time is that of the whole string. A prescribed force remains. A hammer is replaced by the force of
+/// a uniform piston with its mass, velocity and transit time. Requires a drill string.
 Conversion uniformRodOf(const Scenario& scenario);
 
 // Conversion of dimensionless groups to a rig with the same groups.
 
 /// Rod, mean force and duration that turn a dimensionless scenario into one with physical units.
 struct RigChoice {
-    /// Rod whose cross-section, material and strengths are used; its length is ignored and follows from τ.
+    /// Rod that gives cross-section, material and strengths of the new scenario. Its length is ignored; the
+    /// new length is τ c t0.
     Rod rod;
     double meanForce = 255e3;  ///< mean hammer force F0 [N]
     double duration = 200e-6;  ///< duration of the hammer force t0 [s]

@@ -20,27 +20,29 @@ inline constexpr std::size_t mostRockCorners = 64;
 /// units; empty for any other key. The corner need not exist: setting the one after the last adds it.
 KeptParameter findLawParameter(std::string_view key);
 
-/// Returns the parameter that the key of `parameter` denotes in a dimensionless scenario, with forces in
-/// units of F0 and penetrations in units of d0. Empty if `parameter` needs no such conversion.
+/// Returns the parameter with the same key that a dimensionless scenario uses instead, with forces in units
+/// of F0 and penetrations in units of d0. Empty if `parameter` is the same in both forms.
 KeptParameter inScales(const Parameter& parameter);
 
-/// Returns the parameter that the key of `parameter` denotes in this scenario: in SI, or for a dimensionless
-/// scenario in units of F0 or d0.
+/// Returns the parameter to use for the key of `parameter` in this scenario. In a dimensionless scenario, it
+/// is another parameter for forces and penetrations of the loading curve, in units of F0 or d0. In all other
+/// cases it is `parameter`.
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
 
-/// Returns the parameters of the loading curve that a dimensionless scenario gives in units of F0 or d0,
-/// except those of corners. Empty for a scenario with units.
+/// Returns the parameters of the loading curve that a dimensionless scenario gives in units of F0 or d0.
+/// Parameters of corners are left out. Empty for a scenario with units.
 std::vector<KeptParameter> numbersInScales(const Scenario& scenario);
 
-/// Returns the force and slope of every corner of the scenario, followed by numbersInScales(). Other
-/// parameters of the loading curve are in the table of parameters.
+/// Returns the parameters of the loading curve that are not rows of the table of parameters: force and slope
+/// of every corner, then numbersInScales().
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
-/// Returns the number, from 1, of the corner of the loading curve that a parameter belongs to; 0 if it
-/// belongs to none.
+/// Returns the number of the corner of the loading curve that a parameter belongs to: 2 for
+/// "bit_rock.corner.2.force". Returns 0 if it belongs to no corner.
 std::size_t cornerOf(const Parameter& parameter);
 
-/// Returns the key of a number of a corner, such as "bit_rock.corner.2.force". `place` counts from 1.
+/// Returns the key of a number of a corner of the loading curve, such as "bit_rock.corner.2.force". `place`
+/// is the number of the corner, from 1.
 std::string cornerKey(std::size_t place, std::string_view field);
 
 // Change of the form of the loading curve.
@@ -49,8 +51,8 @@ std::string cornerKey(std::size_t place, std::string_view field);
 /// default values.
 BitRock withLaw(BitRock rock, RockLaw law);
 
-/// Returns the rock with another form of the loading curve but initially the same curve: a corner without a
-/// change of slope, or the exponent 1.
+/// Returns the rock after a change of the form of its loading curve. The curve itself is at first unchanged:
+/// a new corner does not change the slope, and a new exponent is 1.
 BitRock proposedRock(const Scenario& scenario, RockLaw law);
 
 }  // namespace drillwave

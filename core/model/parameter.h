@@ -22,16 +22,16 @@ struct SectionAddress;
 // Parameters that are stored, as in axes of sweeps, columns of tables and edits. For immediate use a const
 // Parameter& is sufficient.
 
-/// Reference to a parameter that can be stored, or none. It may be a row of the table of parameters, the
-/// repeat of a drill string, or a number of a section. It keeps a parameter of a section alive. Copies are
-/// cheap; two with the same key are equal.
+/// Reference to a parameter that can be stored, or none. It may refer to a row of the table of parameters, to
+/// the repeat of a drill string, or to a number of a section. Parameters of sections are made when needed;
+/// the reference keeps them alive. Copies are cheap; two with the same key are equal.
 class KeptParameter {
   public:
     KeptParameter() = default;
     KeptParameter(std::nullptr_t) {}
     /// Refers to an existing parameter, and keeps it alive if it belongs to a section.
     KeptParameter(const Parameter& parameter);
-    /// Takes a newly made parameter that is not in the table of parameters.
+    /// Stores a newly made parameter that is not in the table of parameters.
     explicit KeptParameter(std::shared_ptr<const Parameter> parameter);
 
     explicit operator bool() const { return m_parameter != nullptr; }
@@ -58,15 +58,15 @@ struct Range {
     /// Returns the range as text such as "(0, 1]", in SI or in the given unit. Requires a finite upper end.
     std::string ends() const;
     std::string ends(const Unit& unit) const;
-    /// Returns why a value (SI, may be infinite or NaN) is outside the range: "must be in (0, 1]". Ends are
-    /// in `unit`, followed by its name. Empty if the value is inside.
+    /// Returns why a value (SI, may be infinite or NaN) is outside the range: "must be in (0, 1]". The
+    /// message gives the range in `unit`, with its name. Empty if the value is inside.
     Message problem(double value, const Unit& unit) const;
 };
 
 enum class SliderScale { linear, logarithmic };
 
-/// Function of a scenario: a plain function, or one that also takes the address of a section, for the
-/// parameters of sections (section_field.h).
+/// Function that reads or changes one parameter in a scenario. It is a plain function, or for a parameter of
+/// a section one that also takes the address of the section (section_field.h).
 template <class Result, class Scene, class... Values>
 class ParameterFunction {
   public:
@@ -122,11 +122,11 @@ enum class Presence {
 /// Rules for a parameter that may be missing, or that excludes another one.
 struct ParameterRules {
     Presence presence = Presence::required;
-    /// Key of a parameter that cannot be given together with this one: setting either of them removes the
-    /// other. Only one of the two parameters has the key of the other.
+    /// Key of the parameter that excludes this one: setting either of them removes the other. Only one
+    /// parameter of such a pair has this entry.
     std::string_view rival = {};
-    /// Name within the form group of its section, "length" instead of "length of the rod"; empty if equal to
-    /// `label`.
+    /// Name in a form under a heading that makes the full `label` unnecessary: "length" instead of "hammer
+    /// length". Empty if the form shows `label`.
     std::string_view shortLabel = {};
     /// Function that makes the parameter "not given"; nullptr if the parameter always has a value.
     ParameterFunction<void, Scenario> clear = nullptr;
@@ -149,7 +149,7 @@ struct Parameter {
     SliderScale slider;
     Scope scope;
     /// Function that returns the value in SI. It returns nullopt if an optional parameter is not given, or if
-    /// its sections have different values. Requires applies().
+    /// several sections of one name have different values. Requires applies().
     ParameterFunction<std::optional<double>, const Scenario> value;
     /// Function that sets the value in SI without checking its range. In a scenario with units, setting a
     /// group changes a physical parameter: β the stiffness, τ the rod length, δ the gap. Requires applies().
@@ -165,7 +165,7 @@ struct Parameter {
     /// Returns whether the parameter is one of the four dimensionless groups β, γ, τ, δ.
     bool isGroup() const;
     /// Returns the part of the key before the dot: "rod", "pulse", "bit_rock"; "groups" for a dimensionless
-    /// group. May be empty.
+    /// group. Empty if the key has no dot.
     std::string_view section() const;
     /// Returns the section of a scenario file that has the parameter: "rod", or "dimensionless" for a
     /// dimensionless group.
@@ -186,20 +186,20 @@ inline constexpr std::string_view restrikeKey = "hammer.restrike";
 /// Thread-safe.
 KeptParameter findParameter(std::string_view key);
 
-/// Returns whether the user gives this parameter in the scenario. It is not given if it follows from others,
-/// as the groups of a scenario with units, or the impulse if the mean force was given.
+/// Returns whether the user gives this parameter in the scenario. If false, it does not apply or follows from
+/// others, as a group of a scenario with units. The impulse is not given if the mean force was entered.
 bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
 /// Returns why `value` (SI, may be infinite or NaN) is outside the allowed range: "must be in (0, 1]"; empty
 /// if it is inside.
 Message rangeProblem(const Parameter& parameter, double value);
-/// Returns the unit in which messages show the ends of a range: the SI unit, except for shares, which
-/// have the given unit, %.
+/// Returns the unit in which messages show the ends of a range. It is the SI unit; for a share it is
+/// `customary`, usually %.
 const Unit& unitOfRange(Quantity quantity, const Unit& customary);
 
-/// Returns why the scenario does not have the value `wanted` (SI) after it was assigned:
-/// "cannot be stored: …"; empty if it reads back to 1e-12. Groups and mean forces are stored as other
-/// quantities, which may be at the limit of double precision. Requires applies().
+/// Returns why a parameter does not have the value `wanted` (SI) after it was set: "cannot be stored: …".
+/// Groups and mean forces are stored as other quantities, which may be at the limit of double precision.
+/// Empty if the values agree to 1e-12, and for parameters of sections. Requires applies().
 Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
 
 // Common table of all parameters. A new parameter is one more row.

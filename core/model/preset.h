@@ -102,7 +102,8 @@ enum class PresetPart { hammer, rod, bit, rock };
 std::string_view name(PresetPart part);
 std::optional<PresetPart> findPresetPart(std::string_view name);
 
-/// Preset that can replace a part of a scenario: SectionPreset for drill strings, Preset for uniform rods.
+/// Preset that can replace a part of a scenario. A SectionPreset replaces the hammer or bit of a drill
+/// string. A Preset replaces the rock, or the rod or hammer force of a scenario with a uniform rod.
 using PartPreset = std::variant<Preset, SectionPreset>;
 const std::string& nameOf(const PartPreset& preset);
 
@@ -127,7 +128,7 @@ class PresetChoice {
 
     PresetPart part() const { return m_part; }
     const std::vector<PartPreset>& presets() const { return m_presets; }
-    /// Returns the names of the presets, in their order.
+    /// Returns the names of the presets, in the order of presets().
     std::span<const std::string_view> words() const { return m_words; }
     /// Returns the keys of the parameters that any of the presets sets, each once. For presets of sections,
     /// only the key of the impact velocity is listed.
@@ -139,8 +140,8 @@ class PresetChoice {
     std::vector<std::string_view> m_words;
 };
 
-/// Shared pointer to a list of presets, or none; copies of a study's axis share the list. Two pointers are
-/// equal if they choose the same part and equal presets.
+/// Shared pointer to a list of presets, or none. Copies of a study's axis share the list. Two pointers are
+/// equal if their lists are for the same part and have equal presets.
 class SharedPresetChoice {
   public:
     SharedPresetChoice() = default;

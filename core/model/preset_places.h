@@ -10,20 +10,22 @@
 
 namespace drillwave {
 
-/// Value that a parameter has in a scenario if a preset is used, with the name of the preset.
+/// Value that a parameter has if a preset is used, with the name of the preset, for a mark in a plot over
+/// this parameter.
 struct PresetPlace {
     Message name;   ///< name of the preset, or names of several
     double si = 0;  ///< value of the parameter with the preset, in SI
     bool operator==(const PresetPlace&) const = default;
 };
 
-/// Returns the presets that set a parameter (or one that determines it, as the stiffness determines β), by
-/// ascending value. Presets with equal values are joined, with the names of the first two. Empty for a
-/// dimensionless scenario, which cannot use presets. Requires a parameter that applies to the scenario.
+/// Returns the values of a parameter with each preset that sets it, ascending. A preset also counts if it
+/// sets a parameter that determines this one, as the stiffness determines β. Presets with equal values are
+/// joined, with the names of the first two. Empty for a dimensionless scenario, which cannot use presets.
+/// Requires a parameter that applies to the scenario.
 std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Parameter& parameter,
                                       const Scenario& scenario);
 
-/// Preset as a point of a map over two parameters.
+/// Preset as a point in a map over two parameters.
 struct PresetPoint {
     Message name;
     double x = 0;  ///< value of the first parameter in SI
@@ -31,7 +33,8 @@ struct PresetPoint {
     bool operator==(const PresetPoint&) const = default;
 };
 
-/// Returns the presets that set both parameters, with their values.
+/// Returns the presets that set both parameters `x` and `y`, with their values, for marks in a map over `x`
+/// and `y`.
 std::vector<PresetPoint> presetPoints(std::span<const Preset> presets, const Parameter& x, const Parameter& y,
                                       const Scenario& scenario);
 

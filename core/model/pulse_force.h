@@ -28,13 +28,14 @@ struct PulseSegment {
     /// Returns the impulse from the start of the segment to the time x (in t0) after it, as a share of I0, 0
     /// … 1.
     double impulseOf(double x) const;
-    /// Returns ∫Fa² over a time x that begins at start + from, in units of F0² t0.
+    /// Returns ∫Fa² from the time `from` to the time from + x, in units of F0² t0. Both times are in units of
+    /// t0 and count from the start of the segment.
     double energyOf(double from, double x) const;
     bool operator==(const PulseSegment&) const = default;
 };
 
-/// Hammer force Fa/F0 ≥ 0 over time, from 0 on without gaps, with unit impulse. Empty for the reference case
-/// of a rod that arrives with uniform velocity.
+/// Hammer force Fa/F0 ≥ 0 over time. Its segments follow one another from time 0 without gaps, and its
+/// impulse is 1. It has no segments for the reference case of a rod that arrives with uniform velocity.
 struct PulseForce {
     PulseShape shape = PulseShape::rectangular;
     std::vector<PulseSegment> segments;
@@ -43,8 +44,8 @@ struct PulseForce {
     double end = 0;
     /// Largest force, in units of the mean force F0.
     double peak = 0;
-    /// Upper bound of ∫|δFa|, as a share of I0, where δFa is the rounding error of the points of a table; 0
-    /// for other shapes.
+    /// Upper bound of ∫|δFa| as a share of I0, where δFa is the error of the force due to rounding of the
+    /// points of a table. It is 0 for other shapes.
     double rounding = 0;
     bool operator==(const PulseForce&) const = default;
 
@@ -83,16 +84,17 @@ PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);
 /// They are dense where it is curved. Returns only 0 without a hammer force.
 std::vector<double> impulseTimes(const PulseForce& pulse);
 
-/// Returns the first of impulseTimes(), in units of t0, at which the rod has 97 % of the impulse. Later
-/// changes cannot be seen in a curve of impulse or momentum. Returns 0 without a hammer force.
+/// Returns the first of impulseTimes(), in units of t0, at which the rod has 97 % of the impulse. Plots of
+/// impulse and momentum reach at least to this time, as later changes cannot be seen. Returns 0 without a
+/// hammer force.
 double visibleImpulseEnd(const PulseForce& pulse);
 
-/// Returns the time, in units of t0, after which the waves of the force no longer change visibly. It is the
-/// end of the segment in which the impulse reaches 97 %; for an exponential force it is that moment itself.
-/// Returns 0 without a hammer force.
+/// Returns the time, in units of t0, after which the waves that the force causes no longer change visibly. It
+/// is the end of the segment in which the impulse reaches 97 %. For an exponential force it is the time at
+/// which 97 % is reached. Returns 0 without a hammer force.
 double visibleWavesEnd(const PulseForce& pulse);
 
-/// Returns the time, in units of t0, from which the force is too small to be seen in its curve. Returns 0
+/// Returns the time, in units of t0, from which the force is too small to be seen in a plot. Returns 0
 /// without a hammer force.
 double visibleForceEnd(const PulseForce& pulse);
 

@@ -8,13 +8,14 @@
 
 namespace drillwave {
 
-/// Scales in SI (paper, section 5.1; theory §2): dimensionless number × scale = value in SI. They depend on
-/// whether a prescribed force or a hammer whose motion is simulated acts. For a drill string, Z and A are
-/// those of its ruleSection(), m and L those of the whole string.
+/// Scales that convert dimensionless results to SI: dimensionless number × scale = value in SI (paper,
+/// section 5.1; theory §2). They differ between a prescribed force and a simulated hammer. For a drill
+/// string, Z and A are those of one section (see ruleSection()), m and L those of the whole string.
 struct Scales {
     /// Scale of time t0 [s]: the duration of the force, or twice the transit time of a simulated hammer.
     double time = 1;
-    /// Scale of impulse I0 [N s]: that of the force, or the momentum of a simulated hammer.
+    /// Scale of impulse I0 [N s]: impulse of the prescribed force, or momentum of a simulated hammer at
+    /// impact.
     double impulse = 1;
     double force = 1;   ///< scale of force: I0/t0 [N] under a force, Z v0/2 for a simulated hammer
     double stress = 1;  ///< scale of stress F0/A [Pa]
@@ -25,7 +26,8 @@ struct Scales {
     /// Scale of penetration: 2 I0/Z [m] under a force (paper, eq. 3), v0 t0 for a simulated hammer.
     double penetration = 1;
     double stiffness = 1;  ///< scale of stiffness k0 = Z/t0 [N/m]
-    /// Scale of energy: m v0²/2 [J], or the kinetic energy of a simulated hammer at impact.
+    /// Scale of energy [J]: I0 v0/2 with the scales I0 and v0 of impulse and velocity. For a simulated hammer
+    /// it is the kinetic energy at impact.
     double energy = 1;
     double length = 1;  ///< scale of length L [m], that of the rod or drill string
     bool operator==(const Scales&) const = default;
@@ -56,8 +58,8 @@ ChainProperties stringProperties(const DrillString& drillString);
 /// Returns total length, transit time and mass of the uniform rod, or of the drill string without its hammer.
 ChainProperties chainProperties(const Scenario& scenario);
 
-/// Returns the impedance of a uniform piston relative to that of the rod, or of the first section that it
-/// strikes. For a dimensionless scenario it is `impedanceRatio`.
+/// Returns the impedance of a uniform piston divided by that of the rod, or of the rear end of the drill
+/// string. For a dimensionless scenario it is `impedanceRatio`.
 double pistonImpedanceRatio(const Scenario& scenario);
 
 /// Returns the duration t0 of the hammer force [s]; 1 for a dimensionless scenario. For a piston it is
@@ -68,22 +70,24 @@ double pulseDuration(const Scenario& scenario);
 /// it is its momentum at impact. The force of a piston and of a table is integrated.
 double pulseImpulse(const Scenario& scenario);
 
-/// Returns the mean force I0/t0 [N] of a pulse given by duration and impulse. If a double close to the
-/// quotient gives exactly the impulse when multiplied by the duration, it returns that one. So a mean force
-/// that was entered reads back unchanged.
+/// Returns the mean force I0/t0 [N] of a pulse given by duration and impulse. If possible, its last digit is
+/// chosen so that force × duration is exactly the impulse. So a mean force that was entered reads back
+/// unchanged.
 double meanForce(const Pulse& pulse);
 
 /// Returns the groups β = k t0/Z, γ, τ = T/t0 and δ = d/d0, with T the transit time of the whole rod or
-/// string. Here d0 = 2 I0/Z, or v0 t0 for a hammer of sections. A dimensionless scenario has them as input.
+/// string. Here d0 = 2 I0/Z, or v0 t0 for a hammer of sections. Groups of a dimensionless scenario are
+/// returned unchanged.
 Groups groupsOf(const Scenario& scenario);
 
 /// Returns the scales of a scenario with units; all are 1, without meaning, for a dimensionless one. A drill
 /// string must have at least one section, and so must its hammer unless the force is prescribed.
 Scales scalesOf(const Scenario& scenario);
 
-/// Returns the period of the gap for a uniform rod: d0 [m], or 1 for a dimensionless scenario. A gap that is
-/// larger by this period gives the same blow, because reflected waves return unchanged (theory §4). Returns
-/// nullopt for a drill string, which has no such period.
+/// Returns the period of the gap for a uniform rod: d0 [m], or 1 for a dimensionless scenario. It is the
+/// advance of the free rod in one round trip of its waves. For τ ≥ 1/2, a gap that is larger by this period
+/// delays the same blow by one round trip (theory §4). Returns nullopt for a drill string, which has no such
+/// period.
 std::optional<double> gapPeriod(const Scenario& scenario);
 
 // Round trips of waves in the rod between two blows.
@@ -92,12 +96,12 @@ std::optional<double> gapPeriod(const Scenario& scenario);
 /// nullopt without units or without a blow frequency f.
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario);
 
-/// Returns the whole number 1 … 5 that `roundTrips`, the number n_b of round trips of a wave between two
-/// blows, differs from by at most 0.1. Residual waves of the last blow then coincide with the waves of the
-/// new one (theory §10). Returns nullopt if there is no such number.
+/// Returns the whole number n = 1 … 5 from which `roundTrips` differs by at most 0.1; nullopt if there is
+/// none. `roundTrips` is the number n_b of round trips of a wave between two blows. If it is nearly whole,
+/// residual waves of the last blow coincide with the waves of the new one (theory §10).
 std::optional<int> stepOfWaves(double roundTrips);
 
-/// Number n_b of round trips between two blows from which residual waves of the last blow need no warning
+/// Smallest number n_b of round trips of a wave between two blows at which residual waves need no warning
 /// (theory §10).
 inline constexpr double enoughRoundTrips = 6;
 

@@ -67,7 +67,8 @@ enum class PulseShape {
     halfSine,     ///< one half period of a sine within t0
     trapezoid,    ///< linear rise, plateau and linear fall within t0
     exponential,  ///< rigid hammer: force ∝ exp(−t/t0), without an end
-    /// Uniform elastic hammer: force in steps of the duration t0, which depend on two impedances.
+    /// Uniform elastic hammer: the force falls in steps of the duration t0. The impedances of hammer and rod
+    /// determine the heights of the steps.
     piston,
     table,  ///< given points, with linear interpolation between them
     /// Reference case without a hammer force: the rod arrives with uniform velocity and no waves.
@@ -177,14 +178,14 @@ enum class RockIndexing {
 /// Returns the name of a state of the rock as in scenario files: "fresh" or "same".
 std::string_view name(RockIndexing indexing);
 std::optional<RockIndexing> findRockIndexing(std::string_view name);
-/// Returns the names of all states of the rock, in the order of RockIndexing.
+/// Returns the names of the states that the rock may have at the next blow: "fresh" and "same".
 std::span<const std::string_view> rockIndexingNames();
 
 /// Operating data of the rock drill. All of them are optional.
 struct Drill {
     std::optional<double> blowFrequency;  ///< blow frequency f [Hz]
     std::optional<double> thrust;         ///< installed feed force [N], key `drill.thrust`
-    /// Mass of the machine [kg], which the feed pushes together with the rod.
+    /// Mass of the rock drill without rod and string [kg]. The feed pushes it together with the rod.
     std::optional<double> machineMass;
     /// Angle of the hole below the horizontal [deg], −90 (upwards) … 90 (downwards).
     std::optional<double> inclination;
@@ -241,7 +242,8 @@ inline bool hasUnits(const Scenario& scenario) {
 inline bool isString(const Scenario& scenario) {
     return scenario.form == ScenarioForm::string;
 }
-/// Returns whether the blow is a prescribed force, not the impact of a hammer whose motion is simulated.
+/// Returns whether a prescribed force acts on the rod or string. If false, a hammer strikes it, and its
+/// motion is simulated.
 inline bool isForced(const Scenario& scenario) {
     return !isString(scenario) || scenario.drillString.hammer.sections.empty();
 }

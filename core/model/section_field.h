@@ -32,7 +32,7 @@ struct SectionField {
     void (*assign)(Section&, double);
     /// Function that makes the value "not given"; nullptr if the number always has a value.
     void (*clear)(Section&) = nullptr;
-    /// Sections that have this number: all, or only those given by outer diameter or by area.
+    /// Sections to which this number applies: all, or only those given by outer diameter or by area.
     enum class With { both, diameter, area } with = With::both;
 
     const Unit& displayUnit() const;
@@ -45,11 +45,11 @@ struct SectionField {
 /// Returns the numbers of a section, in the order of a file.
 std::span<const SectionField> sectionFields();
 
-/// Returns the number of a section with this key, such as "length", or nullptr.
+/// Returns the description of the number of a section with this key, such as "length", or nullptr.
 const SectionField* findSectionField(std::string_view key);
 
-/// Returns whether setting one number of a section undoes the other. This holds for an area against diameter
-/// or bore, also at the far end of a cone.
+/// Returns whether setting one number of a section undoes the other: for equal numbers, and for an area and a
+/// diameter or bore. The same holds for the sizes at the other end of a cone.
 bool areRivals(const SectionField& a, const SectionField& b);
 
 /// Returns why `value` (SI) is outside the allowed range: "must be greater than 0"; empty if it is inside.

@@ -12,21 +12,22 @@
 
 namespace drillwave {
 
-/// Returns the parameter of a section with a key such as "string.3.length", or "string.repeat"; empty for any
-/// other key. Thread-safe.
+/// Returns the parameter with a key such as "string.3.length" for a number of a section, or "string.repeat"
+/// for the number of repeats. Empty for any other key. Thread-safe.
 KeptParameter findSectionParameter(std::string_view key);
 
-/// Returns whether the scenario has the section, or the repeat, that this parameter sets. Requires a
-/// parameter of the scope `section`.
+/// Returns whether the scenario has the section with the number, or the repeat, that this parameter sets.
+/// Requires a parameter of the scope `section`.
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns whether two parameters can set the same number, or numbers that exclude each other, of one
-/// section. This is possible if one is by name and one by position, or for two positions in a repeat.
+/// Returns whether two parameters of sections may contradict each other, depending on the scenario.
+/// "string.rod.length" and "string.3.length" do if the third section is called rod. The same holds for two
+/// numbers of sections that may be copies in one repeat.
 bool mayMeet(const Parameter& one, const Parameter& other);
 
-/// Returns why two parameters of sections cannot both be set, in words that follow their keys: "set one
-/// section: …". Empty if they can. A section number in `one` refers to the scenario `ofOne`, one in `other`
-/// to `ofOther`. The two scenarios may differ only in the number of repeats.
+/// Returns why two parameters of sections cannot both be set, as words that follow their keys in a message:
+/// "set one section: …". Empty if they can. Sections of `one` are those of the scenario `ofOne`, sections of
+/// `other` those of `ofOther`. The two scenarios may differ only in the number of repeats.
 Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
                        const Scenario& ofOther);
 
@@ -34,23 +35,24 @@ Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parame
 /// did you mean …?".
 Message whyNoSection(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns every number that a section of hammer or string has, in the order of a file, and the number of
-/// repeats.
+/// Returns every number that the sections have as a parameter, in the order of a file: hammer, number of
+/// repeats, string.
 std::vector<KeptParameter> sectionParameters(const Scenario& scenario);
 
-/// Returns the name of the section that a parameter belongs to; empty if it has no section, or the section no
-/// name.
+/// Returns the name of the section that a parameter belongs to. Empty if the parameter belongs to no section,
+/// or if the section has no name.
 std::string sectionName(const Parameter& parameter, const Scenario& scenario);
 
 // Numbers of sections that are worth varying, for a list to choose from.
 
-/// Returns every number of the sections that changes the results of a drill string, in the order of a file. A
-/// number is by name ("string.coupling.diameter") if all sections of that name have the same value, else by
-/// position. "string.repeat" is between hammer and string. Empty for a uniform rod.
+/// Returns every number of the sections that changes the results of a drill string, in the order of a file.
+/// The key contains the name of the section, "string.coupling.diameter", if all sections of that name have
+/// the same value, else its number. "string.repeat" is between hammer and string. Empty for a uniform rod.
 std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario);
 
-/// Returns the diameter, or area, of the most important section of a drill string. These are the couplings,
-/// else the first section in a repeat, else the first section. Empty for a uniform rod.
+/// Returns the size that a study of a drill string proposes to vary: the diameter, or area, of its couplings.
+/// Without couplings, it is that of the first section in a repeat, else of the first section. Empty for a
+/// uniform rod.
 KeptParameter typicalSize(const Scenario& scenario);
 
 }  // namespace drillwave

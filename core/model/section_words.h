@@ -35,8 +35,8 @@ Message hammerSectionWords(const DrillString& drillString, std::size_t place);
 /// "hammer 1", "adapter", "3rd rod".
 std::vector<Message> sectionWords(const DrillString& drillString);
 
-/// Returns the names of all sections listed in a file, in the order of sectionSpots(). Examples are "3rd
-/// rod", and "2nd to 4th rod" for a section in a repeat.
+/// Returns one name for each section that a file lists, in the order of sectionSpots(): "adapter", "3rd rod".
+/// A section in a repeat is named with all its copies: "2nd to 4th rod".
 std::vector<Message> rowWords(const DrillString& drillString);
 
 /// Returns the name of the section that an address refers to: "2nd to 4th rod", "hammer 1". For an address by

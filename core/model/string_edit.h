@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Position of a section in a scenario file, where a repeat lists its sections once.
+/// Position of a section in the lists of a scenario file: in the hammer, in the string, or in a repeat of the
+/// string. A repeat is one part of the string, however often it is repeated.
 struct SectionSpot {
     bool inHammer = false;
     std::size_t part = 0;   ///< index of the part of the string, a section or a repeat; 0 in the hammer
@@ -28,8 +29,8 @@ std::vector<SectionSpot> sectionSpots(const DrillString& drillString);
 const Section& sectionAt(const DrillString& drillString, const SectionSpot& spot);
 Section& sectionAt(DrillString& drillString, const SectionSpot& spot);
 
-/// Returns the number of the section in its hammer or string, counted from 1 with repeats expanded; in a
-/// repeat that of its first copy. Keys such as "string.3.length" use this number.
+/// Returns the number of the section that keys such as "string.3.length" use. It counts sections from 1 in
+/// the hammer or string, with repeats expanded. A section in a repeat has the number of its first copy.
 std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
 
 /// Inserts a section after the section at `spot`, and inside the same repeat if that section is in a repeat.
@@ -41,11 +42,11 @@ SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Secti
 SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
                          const std::vector<Section>& sections);
 
-/// Returns whether the sections at these positions are neighbours in the hammer, in one repeat or outside of
-/// repeats, so that others can replace them.
+/// Returns whether replaceSections() can replace these sections. They must be neighbours: in the hammer, in
+/// one repeat, or in the string outside of repeats.
 bool canReplace(const DrillString& drillString, const std::vector<SectionSpot>& spots);
-/// Replaces neighbouring sections by at least one other. Returns the position of the last new one. Requires
-/// canReplace().
+/// Replaces the sections at `spots` by other ones, at least one. Returns the position of the last new
+/// section. Requires canReplace().
 SectionSpot replaceSections(DrillString& drillString, const std::vector<SectionSpot>& spots,
                             const std::vector<Section>& sections);
 
@@ -55,7 +56,7 @@ enum class StringEnd { shank, bit };
 /// inserted section.
 SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections);
 
-/// Returns whether the section may be removed, because the hammer or string has at least one more.
+/// Returns whether the section may be removed. The last section of the hammer, or of the string, must stay.
 bool canRemove(const DrillString& drillString, const SectionSpot& spot);
 /// Removes a section, and also its repeat if the repeat has no other section. Requires canRemove().
 void removeSection(DrillString& drillString, const SectionSpot& spot);
@@ -66,13 +67,13 @@ enum class MoveTo { rear, bit };
 /// changes nothing at the end of the hammer or string.
 std::optional<SectionSpot> moveSection(DrillString& drillString, const SectionSpot& spot, MoveTo direction);
 
-/// Returns whether the sections at these positions are neighbours in the string and in no repeat, so that
-/// they can be made a repeat.
+/// Returns whether repeatSections() can make these sections a repeat. They must be neighbours in the string,
+/// and outside of repeats.
 bool canRepeat(const DrillString& drillString, const std::vector<SectionSpot>& spots);
 /// Turns neighbouring sections of the string into a repeat of `times` ≥ 1. Requires canRepeat().
 void repeatSections(DrillString& drillString, const std::vector<SectionSpot>& spots, int times);
-/// Sets how many times a repeat is repeated; 1 replaces the repeat by its sections. Requires a part that is a
-/// repeat.
+/// Sets how many times the sections of a repeat follow one another. If `times` is 1, the repeat is replaced
+/// by its sections. `part` is the index of the repeat in DrillString::parts.
 void setRepeat(DrillString& drillString, std::size_t part, int times);
 
 // Rounded lengths of sections. A common step of the lengths keeps the number of time steps of the solver

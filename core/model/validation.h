@@ -22,14 +22,14 @@ struct InputProblem {
     int column = 0;
     /// File with the error, if that is not the scenario file but a table of the hammer force; else empty.
     std::string source = {};
-    /// Message without the value, "bit_rock.gamma must be in (0, 1]", by which equal errors are counted. Set
-    /// only by validate().
+    /// Message without the value, "bit_rock.gamma must be in (0, 1]", by which studies count how often an
+    /// error occurs. Set only by validate().
     Message reason = {};
     bool operator==(const InputProblem&) const = default;
 };
 
-/// Returns the error for a key with a wrong value. `value` may be empty; `reason` is such as
-/// "must be in (0, 1]".
+/// Returns the error for a key with a wrong value. `value` may be empty; an example of `reason` is "must be
+/// in (0, 1]".
 InputProblem valueProblem(std::string_view key, std::string_view value, const Message& reason);
 
 /// Returns all errors of a scenario, those of physical parameters first; empty if it can be solved. Errors

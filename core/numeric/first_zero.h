@@ -81,8 +81,8 @@ std::array<Real, 2> valueAndSlope(const Real* c, int count, Real u) {
 /// out.
 enum class MarchEnd { zero, passed, exhausted };
 
-/// Returns the largest step h with value + slope·h − bend·h²/2 ≥ 0, or a little less. If a zero is near,
-/// 1 + √(1 + q) is replaced by 2 + q/2, which is larger and needs no square root.
+/// Returns the largest step h with value + slope·h − bend·h²/2 ≥ 0, or a little less. If the slope is steep
+/// and negative, a lower bound of h replaces the exact formula, to save a square root.
 template <class Real>
 Real stepOver(Real value, Real slope, Real bend) {
     constexpr Real tiny = std::numeric_limits<Real>::min();
@@ -92,10 +92,11 @@ Real stepOver(Real value, Real slope, Real bend) {
     return slope > 0 ? (slope + root) / (bend + tiny) : 2 * value / (root - slope + tiny);
 }
 
-/// Advances u towards `end` until the zero of p(u) = Σ c_k u^k or until u passes `end`. Returns which of both
-/// came first, or that 24 steps were too few. Requires p(u) ≥ 0 at the start and −bend ≤ p'' ≤ rise, with
-/// bend and rise ≥ 0; these bounds limit the steps, so that no step passes a zero. Convergence is quadratic.
-/// The number of steps is written to `step`. Always inlined, as a call takes 1.5 % of the time of a solution.
+/// Advances u in steps towards `end`, until p(u) = Σ c_k u^k is zero (at most `noise`, and falling) or u
+/// passes `end`. Returns which of the two came first, or that 24 steps were too few. Requires p(u) ≥ 0 at the
+/// start and −bend ≤ p'' ≤ rise, with bend and rise ≥ 0; these bounds limit the steps, so that no step passes
+/// a zero. Convergence is quadratic. The number of steps is written to `step`. Always inlined, as a call
+/// takes 1.5 % of the time of a solution.
 template <class Real>
 [[gnu::always_inline]] inline MarchEnd marchToZero(const Real* c, int count, Real end, Real bend, Real rise,
                                                    Real noise, Real& u, int& step) {
@@ -155,8 +156,8 @@ Zero<Real> firstZeroInParts(const Real* c, int count, Real end, Real from, Real 
 }
 
 /// Returns the first zero in (start, end] of p(u) = Σ c_k u^k, with end ≤ 1 and p > 0 just after `start`. If
-/// `start` is 0, a zero at u = 0 is divided out; if p is then negative just after 0, the result is 0. The
-/// effort is added to `tally`.
+/// `start` is 0, a zero at u = 0 is removed by division. If p is then negative just after 0, the zero
+/// returned is 0. The effort is added to `tally`.
 template <class Real>
 Zero<Real> firstZero(const Real* c, int count, Real end, SearchCount& tally, Real start = 0) {
     if (start == 0)

@@ -31,8 +31,8 @@ struct MonotoneSegment {
     double placeOf(double wanted) const;
 };
 
-/// Returns the monotone segments of one output of a fit in ascending order, without intervals where the fit
-/// has no values. The segments point to the pieces, which must outlive them.
+/// Returns the monotone segments of one fitted function (index `output`) in ascending order. Intervals in
+/// which it has no values are left out. The segments point to the pieces, which must outlive them.
 std::vector<MonotoneSegment> segmentsOf(std::span<const FitPiece> pieces, std::size_t output);
 
 /// One side of a point where the slope of a fitted function may jump: the nearest piece with a reliable
@@ -49,18 +49,19 @@ inline constexpr double leastAngle = 1e-3;
 /// Length below which a piece has no reliable slope, in units of x. Kinks closer than this count as one.
 inline constexpr double leastSlopeWidth = 1e-6;
 
-/// Returns whether a piece has a reliable slope: it is longer than leastSlopeWidth and within the tolerance
-/// of the fit.
+/// Returns whether the slope in a piece can be trusted: the piece is longer than leastSlopeWidth, and its
+/// error is within the tolerance of the fit.
 bool hasSlope(const FitPiece& piece);
 
-/// Returns the left and right side of a point that may be a kink. Both `fromLeft` and `fromRight` are the x
-/// of this point; for a periodic function they may differ by the period. Returns nullopt inside a piece,
-/// where the function is smooth, and where one side is missing.
+/// Returns the left and right side of a point that may be a kink. `fromLeft` and `fromRight` are both the x
+/// of this point; for a periodic function they may differ by the period. Returns nullopt if the point is
+/// inside a piece, where the function is smooth, or if no piece is on one side.
 std::optional<std::pair<FitSide, FitSide>> sidesAt(std::span<const FitPiece> pieces, std::size_t output,
                                                    double fromLeft, double fromRight);
 
-/// Returns whether the slope of a function jumps between the two sides of a point, by clearly more than its
-/// errors. The size of the function's values is `scale`.
+/// Returns whether the slope of a function clearly jumps from the left to the right side of a point. The jump
+/// must exceed the errors of both slopes by leastAngle times the steeper slope, or times `scale` if that is
+/// larger. `scale` is the size of the function's values.
 bool isAngle(const FitSide& left, const FitSide& right, double scale);
 
 /// Least or largest value of a function, and the x at which it is taken.
@@ -89,7 +90,8 @@ struct LocalExtreme {
 /// Returns the local minima and maxima of a function in ascending order of x, without those at its two ends.
 std::vector<LocalExtreme> localExtremesOf(std::span<const MonotoneSegment> segments);
 
-/// Point at which a function changes from clearly below a level to clearly above (`rising`), or the reverse.
+/// Point at which a fitted function crosses a level, upwards if `rising`, else downwards. On both sides its
+/// distance from the level exceeds the error of the fit.
 struct FitCrossing {
     Estimate place;
     bool rising = false;

@@ -21,18 +21,19 @@ enum class WorkEnd {
     stopped,   ///< a stop was requested, or `deliver` returned false
 };
 
-/// Calls `fill(chunk)` for one chunk after another until it returns false, processes the chunks with one
-/// worker per thread, and calls `deliver(chunk)` in the order of filling. Returns whether all chunks were
-/// delivered. The results do not depend on the number of threads.
+/// Processes a sequence of chunks, such as blocks of table rows, on `jobs` threads, and delivers them in
+/// their original order. `fill` fills one chunk after another until it returns false, a worker processes the
+/// chunk, and `deliver` takes the result. Returns whether all chunks were delivered. The results do not
+/// depend on the number of threads.
 ///
 /// - `fill(Chunk&) -> bool` runs on any thread, one call at a time.
 /// - `makeWorker()` runs once on each thread; its result is called as `worker(Chunk&, std::stop_token)`.
 ///   After a stop request the worker may leave its chunk unfinished: such a chunk is not delivered.
 /// - `deliver(Chunk&) -> bool` runs on the calling thread; false stops the run.
 ///
-/// Chunks are reused; at most four per thread are in memory. An exception of any of these functions stops the
-/// run and is thrown again here. If the system provides fewer threads than `jobs`, these do all the work; if
-/// it provides none, the calling thread does.
+/// Chunk objects are used again for later chunks; at most four per thread exist. An exception in any of these
+/// functions stops the run and is rethrown to the caller. If the system provides fewer threads than `jobs`,
+/// these do all the work. If it provides none, the calling thread does the work.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
 WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
     jobs = std::max(jobs, 1);

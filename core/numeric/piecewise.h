@@ -52,7 +52,8 @@ class PiecewisePolynomial {
     std::vector<double> m_coefficients;
     std::vector<double> m_integrals;  // integral up to the start of each piece
     double m_origin = 0;
-    /// Sum of the lengths of all pieces, exact to the last digit so that look-ups by time are exact as well.
+    /// End of the function: its start plus the lengths of all pieces. Rounding errors are compensated, so
+    /// that the piece at a given time is found exactly.
     CompensatedSum<double> m_end;
 };
 

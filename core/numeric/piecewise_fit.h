@@ -22,12 +22,12 @@ class Chebyshev {
     static constexpr std::size_t mostNodes = 17;
 
     Chebyshev() = default;
-    /// Interpolates `values` at the nodes node(a, b, j, values.size()). The number of values is 2 …
-    /// mostNodes.
+    /// Makes the polynomial that takes `values` at the nodes node(a, b, j, n), j = 0 … n − 1. The number n of
+    /// values is 2 … mostNodes.
     Chebyshev(double a, double b, std::span<const double> values);
 
     /// Returns the j-th of `count` nodes in [a, b], ascending from a to b, at the extremes of a Chebyshev
-    /// polynomial. The nodes for 9 are every second of the nodes for 17.
+    /// polynomial. The nodes for a count of 9 are every second one for 17, so that samples can be used again.
     static double node(double a, double b, std::size_t j, std::size_t count);
 
     double operator()(double x) const;
@@ -35,7 +35,8 @@ class Chebyshev {
     /// Returns the largest of the last three |c_k|. For a smooth function this is about the error of the
     /// interpolation.
     double tail() const;
-    /// Returns the points inside the interval at which p' changes sign, ascending.
+    /// Returns the points inside the interval at which the derivative of the polynomial changes sign,
+    /// ascending.
     std::vector<double> stationaryPoints() const;
 
   private:
@@ -56,7 +57,8 @@ struct FitSample {
     double x = 0;
     std::array<double, mostFitFunctions> values{};
     double error = 0;  ///< bound on the absolute error of the values
-    /// Number that is equal for all samples between two kinks, and differs on the two sides of a kink.
+    /// Number by which kinks are detected: equal for all samples between two kinks, different on the two
+    /// sides of a kink.
     std::uint64_t order = 0;
     int label = 0;        ///< any number by which the caller distinguishes pieces
     bool solved = false;  ///< whether the functions have values at this x
@@ -67,7 +69,7 @@ struct FitSample {
 struct FitPiece {
     double start = 0;
     double end = 0;
-    /// Interpolation of each function; empty if the functions have no values in this piece.
+    /// Interpolating polynomial of each fitted function; empty if the functions have no values in this piece.
     std::vector<Chebyshev> outputs;
     std::vector<double> error;  ///< estimated bound of |output − exact value|, one for each function
     int label = 0;              ///< label of the sample nearest to the middle of the piece
@@ -80,7 +82,7 @@ struct FitPiece {
 /// Accuracy of a piecewise fit, number of functions, and limits on the work.
 struct FitSettings {
     std::size_t count = 1;  ///< number of functions, 1 … mostFitFunctions
-    /// Size of the values of each function; the tolerance is a multiple of it.
+    /// Size of the values of each function. The allowed error of a function is `tolerance` times this size.
     std::array<double, mostFitFunctions> scale{1, 1, 1};
     /// Whether `scale` of each function is raised to the largest |value| found so far.
     std::array<bool, mostFitFunctions> scaleGrows{};
@@ -91,20 +93,20 @@ struct FitSettings {
     // is available for later intervals.
     std::uint64_t solvesOfCell = 2'000;
     std::uint64_t kinksOfCell = 100;
-    /// Maximum number of samples without values in an interval between two cuts. Numbers that were not used
-    /// are not carried over to later intervals.
+    /// Maximum number of samples without values in one interval between two cuts. Later intervals do not get
+    /// what remains of this number.
     std::uint64_t failuresOfCell = 20;
-    /// Maximum total effort of all evaluations. When it is reached, pieces are not refined any more, and
-    /// count as not resolved.
+    /// Maximum total of FitSample::effort of all evaluations. When it is reached, pieces are not refined any
+    /// more, and count as not resolved.
     long mostEffort = std::numeric_limits<long>::max();
     /// Maximum total effort of all evaluations at which the functions had no values.
     long mostFailedEffort = std::numeric_limits<long>::max();
-    /// Treatment of a point where values end: the pieces next to it are halved, or it is bracketed like a
-    /// kink.
+    /// Treatment of a point beyond which the functions have no values. `halved` halves the pieces next to it
+    /// until they are very short. `bracketed` finds the point by bisection, as for a kink.
     enum class Ends { halved, bracketed } ends = Ends::halved;
 };
 
-/// Result of a piecewise fit of the functions, from the first cut to the last.
+/// Result of fitPiecewise() over the interval from the first to the last of the given cuts.
 struct PiecewiseFit {
     /// Pieces in ascending order without gaps, with very short ones of length kinkWidth around kinks.
     std::vector<FitPiece> pieces;
@@ -120,10 +122,10 @@ using FitFunction = std::function<FitSample(double x)>;
 /// Function called during the fit with the x up to which the pieces are complete.
 using FitProgress = std::function<void(double x)>;
 
-/// Fits the functions between ascending `cuts`, at least two, and returns the pieces. Pieces end where the
-/// order of the samples changes; this x is found by bisection. Other pieces are halved until the
-/// interpolation agrees with further samples. The error allowed is `tolerance` times `scale` plus eight times
-/// the error of the samples. A stop request ends the fit early and incomplete.
+/// Fits the functions over the interval between ascending `cuts`, at least two, and returns the pieces. A
+/// piece ends at each kink, where FitSample::order changes; its x is found by bisection. Other pieces are
+/// halved until the interpolation agrees with further samples. The error allowed is `tolerance` times `scale`
+/// plus eight times the error of the samples. A stop request ends the fit early and incomplete.
 PiecewiseFit fitPiecewise(const FitSettings& settings, std::span<const double> cuts,
                           const FitFunction& function, const std::stop_token& stop = {},
                           const FitProgress& progress = {});
@@ -132,9 +134,9 @@ PiecewiseFit fitPiecewise(const FitSettings& settings, std::span<const double> c
 PiecewiseFit fitConstant(const FitSettings& settings, double start, double end, const FitFunction& function,
                          const std::stop_token& stop = {});
 
-/// Returns the piece in which to evaluate the functions at x: the piece that contains x, or the first piece
-/// if x is before it. If that piece has no values, it is the last one before it that has. Requires a piece
-/// with values at or before x.
+/// Returns the piece in which to evaluate the functions at x. It is the piece that contains x, or the last
+/// one before it that has values. If x is before all pieces, it is the first piece. Requires a piece with
+/// values at or before x.
 const FitPiece& pieceAt(std::span<const FitPiece> pieces, double x);
 
 /// Returns the x, ascending, at which to draw a fit: the ends of the pieces with values, and points between

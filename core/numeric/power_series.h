@@ -44,9 +44,9 @@ Real sumOf(int first, int count, Term term) {
     return sum + other;
 }
 
-/// Performs `passes` synthetic divisions of the polynomial Σ c_k x^k by (x − u) at once, from coefficient
-/// `first` on; moveBy() consists of such divisions. Each division needs only the current value of the one
-/// before, so that they run in parallel.
+/// Performs several synthetic divisions of the polynomial Σ c_k x^k by (x − u) at once, from coefficient
+/// `first` on. Their number is `passes`; moveBy() consists of such divisions. Each division needs only the
+/// current value of the one before, so that they run in parallel.
 template <int passes, class Real>
 void divide(Real* c, int count, int first, Real u) {
     std::array<Real, passes> s;
@@ -99,7 +99,8 @@ struct PowerSeries {
         return *this;
     }
 
-    /// Returns 1/k from a table, 0 < k ≤ capacity + 1. Divisions would take half the time of an integral.
+    /// Returns 1/k from a table, 0 < k ≤ capacity + 1. Divisions would take half of the computing time of an
+    /// integral.
     static Real inverse(int k) {
         static constexpr auto table = [] {
             std::array<Real, capacity + 2> t{};
@@ -162,7 +163,7 @@ struct PowerSeries {
         scale = newScale;
     }
 
-    /// Drops the part of f before x, so that the function starts at x and its length decreases by x.
+    /// Removes the part of f before x, so that the function starts at x and its length decreases by x.
     void dropFront(Real x) {
         moveBy(c.data(), count, x / scale);
         length -= x;
@@ -197,13 +198,13 @@ struct PowerSeries {
 
 // Polynomial that preserves the moments of a power series when another series replaces it.
 
-/// Number of moments that a replaced series preserves: ∫ f xʲ dx for j = 0 … 3.
+/// Number of moments ∫ f xʲ dx, j = 0 … 3, that remain unchanged when one series replaces another.
 inline constexpr int keptMoments = 4;
 
-/// Adds to `f` the polynomial of third degree that has the same moments ∫ d uʲ du, j = 0 … 3, as the function
-/// `deviation`. Requires f.scale = f.length. The deviation acts on the interval [from, from + share] of u,
-/// 0 ≤ u ≤ 1. The polynomial is the expansion of the deviation in Legendre polynomials over the entire
-/// interval, cut off after the third degree.
+/// Adds to `f` a polynomial p of third degree with the same moments ∫ p uʲ du, j = 0 … 3, as the function
+/// `deviation`. It is the expansion of `deviation` in Legendre polynomials over the whole interval 0 ≤ u ≤ 1
+/// of `f`, cut off after the third degree. `deviation` is zero outside [from, from + share]. Requires f.scale
+/// = f.length.
 template <class Real>
 void addMoments(PowerSeries<Real>& f, const PowerSeries<Real>& deviation, Real from, Real share) {
     std::array<Real, keptMoments> own;  // ∫ d vʲ dv over the interval of the deviation, 0 ≤ v ≤ 1

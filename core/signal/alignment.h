@@ -31,9 +31,10 @@ struct MeasuredSignal {
 // Measured points are at least two, with increasing times [s], joined by straight lines. The computed force
 // is a function of time [s] from 0 to `end` > 0.
 
-/// Returns the time shift of the measured points [s] at which measured and computed force agree best: the
-/// integral of their product is largest. Each force counts as 0 outside its own times. The resolution is a
-/// 2000th of the longer one, refined by a parabola. Returns nullopt if the integral is never positive.
+/// Returns the time shift [s] of the measured points at which measured and computed force agree best: the
+/// integral of their product is largest. Outside its own times each force is 0. The shift is found in steps
+/// of 1/2000 of the longer record, and refined by a parabola. Returns nullopt if the integral is never
+/// positive.
 std::optional<double> bestShift(const TablePoints& measured,
                                 const std::function<double(double time)>& computed, double end);
 

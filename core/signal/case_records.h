@@ -16,8 +16,8 @@
 
 namespace drillwave {
 
-/// Returns separator and decimal sign of a table of cases, detected from its beginning: those with which most
-/// rows have as many cells as the header. Comma and point if nothing indicates others.
+/// Returns separator and decimal sign of a table of cases, detected from its beginning. The separator is that
+/// with which most rows have as many cells as the header. The default is comma and point.
 RowFormat caseFormat(std::string_view beginning);
 
 /// Stream of the lines of a text, converted to UTF-8 with LF as line end.
@@ -37,8 +37,8 @@ class DecodedText : public std::streambuf {
 };
 
 /// Reader of the records of a table, one at a time. It converts numbers with a decimal comma, U+2212 as
-/// minus, or groups of thousands to C notation: "3,66 m" becomes "3.66 m". Rows of empty cells may only be at
-/// the end; if cases follow them, next() returns one record with an error message.
+/// minus, or groups of thousands to C notation: "3,66 m" becomes "3.66 m". Empty rows are allowed only at the
+/// end. If other rows follow an empty one, next() returns one record with an error message.
 class CaseRecords {
   public:
     explicit CaseRecords(std::istream& in) : m_text(in), m_in(&m_text) {}
@@ -62,8 +62,7 @@ class CaseRecords {
     std::istream m_in;
     std::unique_ptr<CsvReader> m_reader;
     RowFormat m_format;
-    /// Whether the separator is a comma and the decimal sign a point. Then only non-ASCII characters are
-    /// converted.
+    /// Whether the decimal sign is the point. Then only cells with non-ASCII characters are converted.
     bool m_isPlain = true;
     std::optional<CsvRecord> m_ahead;  ///< first record after empty rows, read in advance; empty without one
     int m_aheadLine = 0;

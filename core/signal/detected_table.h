@@ -15,11 +15,13 @@ namespace drillwave {
 
 struct DetectedTable {
     RowFormat format;
-    /// First line with samples, counted from 1; after the last line if there are none.
+    /// Number of the first line with samples, counted from 1. If there are none, it is one more than the
+    /// number of lines.
     std::size_t firstLine = 1;
     std::vector<TableColumn> columns;
     char groups = 0;  ///< sign between groups of three digits in the table, or 0 if none was seen
-    /// Whether the decimal sign is ambiguous: each number may also be a whole one with groups, "1,234".
+    /// Whether the decimal sign is uncertain: no number shows whether the sign in "1,234" is decimal or
+    /// separates thousands.
     bool isDecimalOpen = false;
     /// Whether the table must be transposed, because each channel is a row that begins with the channel's
     /// name.
@@ -27,7 +29,8 @@ struct DetectedTable {
     /// Sampling rate [Hz], if the table states it with its unit above or beside the samples.
     std::optional<double> rate;
     std::string rateText;  ///< text in the table that states the sampling rate, with or without a unit
-    /// Sampling rate stated without a unit [Hz]; Hz is assumed, or s for a sampling interval.
+    /// Sampling rate [Hz] that the table states without a unit. The number is assumed to be in Hz, or in s if
+    /// it is a sampling interval.
     std::optional<double> bareRate;
     bool operator==(const DetectedTable&) const = default;
 
@@ -35,15 +38,15 @@ struct DetectedTable {
 };
 
 /// Returns the format of a table from its first lines. Separator and decimal sign are those with which most
-/// cells are numbers. The samples begin at the first line from which this holds; the line before is the
-/// header.
+/// cells are numbers. The samples begin at the first line with numbers in the same columns as most lines.
+/// Names and units of the columns are from the lines above.
 DetectedTable detectTable(std::span<const std::string> lines);
 
 /// Returns the format of a table from its first lines, with separator and decimal sign given.
 DetectedTable detectTable(std::span<const std::string> lines, RowFormat format);
 
-/// Returns the format of a table whose samples begin at `firstLine`, counted from 1. Lines of samples before
-/// it are ignored, so that the header above them is found.
+/// Returns the format of a table whose samples begin at the given line, counted from 1. If the lines directly
+/// above are numbers too, they are skipped to find the header above them.
 DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, std::size_t firstLine);
 
 /// Returns the index of a column, from 0, or nullopt. The column `wanted` is given by its number from 1, its

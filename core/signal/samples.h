@@ -44,11 +44,12 @@ struct Samples {
     /// SampleSource::start.
     std::vector<double> time;
     std::vector<double> value;  ///< values in the unit of the table, one for each time
-    /// Number of times with two values; the second one is stored at the next larger double.
+    /// Number of jumps: two samples at the same time in the table. The second one is stored at the next
+    /// larger double.
     std::size_t jumps = 0;
     std::size_t skipped = 0;       ///< number of skipped rows
     std::size_t firstSkipped = 0;  ///< line of the first skipped row, counted from 1
-    /// Longest time between two neighbouring samples whose rows in between were skipped [s].
+    /// Longest pause between two samples [s] that is due to skipped rows.
     double skippedTime = 0;
     double skippedAt = 0;  ///< time at which the longest stretch of skipped rows begins [s]
     /// Number of skipped rows that are marked as overload, by a word or a number.
@@ -58,8 +59,8 @@ struct Samples {
     /// Number of the line with the problem, from 1; 0 if the problem concerns no line.
     std::size_t problemLine = 0;
     std::string problem;  ///< reason why the samples could not be read; then there are none
-    /// Sampling rate [Hz] estimated from first time, last time and number of samples, if the times in the
-    /// table are rounded too coarsely. In this case `firstTime` is the first time [s].
+    /// Sampling rate [Hz] estimated from first time, last time and number of samples. It is set only if the
+    /// times in the table are rounded too coarsely; then `firstTime` is the first time [s].
     std::optional<double> estimatedRate = {};
     double firstTime = 0;
 };
@@ -68,14 +69,14 @@ struct Samples {
 inline constexpr std::size_t mostSamples = 10'000'000;
 
 /// Returns the sampling rate [Hz] that follows from the first and last time [s] and the number of samples. It
-/// is rounded to as few digits as the resolution of the times allows: `firstStep` and `lastStep` are the
-/// steps [s] of the rounded times.
+/// is rounded to as few digits as the times allow: the first time is rounded to `firstStep` [s], the last one
+/// to `lastStep` [s].
 double estimatedRate(double first, double last, std::size_t samples, double firstStep, double lastStep);
 
-/// Reads all rows of the samples, without blank lines and comments. Rows whose cells are not numbers are
-/// refused with their line, or skipped and counted. Times must increase, except for two values at one time,
-/// which are a jump. If a time occurs more often, the result has the line of the first one and an estimated
-/// rate. Calls `tell` with the number of bytes read. After a stop request the problem is "stopped".
+/// Reads the samples from all rows except blank lines and comments. A row with a cell that is no number is
+/// refused with its line, or skipped and counted. Times must increase, except at a jump, where one time has
+/// two values. If times repeat more often, they are too coarse: the result has a problem and an estimated
+/// sampling rate. Calls `tell` with the number of bytes read. After a stop request the problem is "stopped".
 Samples readSamples(std::istream& in, const SampleSource& source, const std::stop_token& stop = {},
                     const std::function<void(std::uint64_t bytes)>& tell = {});
 

@@ -31,8 +31,8 @@ const SignalOption* findSignalOption(std::string_view name);
 /// except zero line, time range and sign. Setting them again gives the same options.
 std::vector<std::pair<std::string, std::string>> recorderSettings(const SignalOptions& options);
 
-/// Returns the option that answers an open question about a record, "--unit" for "unit"; empty for an unknown
-/// question.
+/// Returns the command-line option that answers a question in SignalReading::questions: "--unit" for "unit".
+/// Empty for an unknown question.
 std::string_view answerTo(std::string_view question);
 
 }  // namespace drillwave

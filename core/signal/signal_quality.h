@@ -11,15 +11,15 @@
 
 namespace drillwave {
 
-/// Quality of a record. A share is relative to the largest absolute value above the zero line.
+/// Quality of a record. Shares are relative to `peak`, the largest deviation from the zero line.
 struct SignalQuality {
-    /// Zero line, the mean value before the blow, in the unit of the table; 0 with fewer than 50 quiet
-    /// samples.
+    /// Zero line, the mean value before the blow, in the unit of the table. It is 0 if fewer than 50 samples
+    /// are before the blow.
     double zero = 0;
     /// Largest deviation from the zero line, in the unit of the table, with its sign.
     double peak = 0;
-    /// Zero line, the mean value before the blow, as a share of the peak; nullopt with fewer than 50 quiet
-    /// samples before the blow.
+    /// Zero line, the mean value before the blow, as a share of the peak; nullopt if fewer than 50 samples
+    /// are before the blow.
     std::optional<double> offset = {};
     /// Drift: change of the mean value without load in 1 ms as a share of the peak; nullopt if it does not
     /// exceed the noise.
@@ -31,7 +31,8 @@ struct SignalQuality {
     bool isQuantised = false;
     std::size_t flatSamples = 0;  ///< number of equal samples in a row at the largest value
     double flatTop = 0;           ///< value of the largest run of equal samples, in the unit of the table
-    /// Whether the record is probably clipped: more samples are equal at the largest value than noise allows.
+    /// Whether the record is probably clipped: more samples are equal to its largest or smallest value than
+    /// noise allows.
     bool isClipped = false;
     /// Largest deviation of a time step from the usual step, as a share of that step.
     double jitter = 0;
@@ -42,8 +43,8 @@ struct SignalQuality {
     std::optional<double> gaugeDifference = {};
 };
 
-/// Returns the quality of a record. Requires samples without a problem. The limits are in the theory of
-/// identification, section 2.
+/// Returns the quality of a record. Requires samples without a problem. The values from which a record counts
+/// as clipped, noisy or drifting are in the theory of identification, section 2.
 SignalQuality signalQuality(const Samples& samples);
 
 /// Remark on the quality of a record: its code ("clipped") and a sentence.
@@ -52,8 +53,8 @@ struct SignalRemark {
     Message text;
 };
 
-/// Returns the remarks on the quality of a record, in the order of the members of SignalQuality. The
-/// sentences give times of the table.
+/// Returns the remarks on the quality of a record, in the order of the members of SignalQuality. Times in the
+/// sentences are those of the table.
 std::vector<SignalRemark> qualityRemarks(const SignalQuality& quality, const Samples& samples);
 
 }  // namespace drillwave

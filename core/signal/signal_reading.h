@@ -46,16 +46,17 @@ struct SignalOptions {
     std::optional<double> gain = {}, excitation = {}, bridge = {}, gaugeFactor = {};
     /// Cross-section of the bar [m²] and its Young's modulus [Pa].
     std::optional<double> area = {}, modulus = {};
-    /// Times of the table [s] between which the mean is the zero line.
+    /// Times in the table [s] between which the samples are averaged to give the zero line.
     std::optional<std::pair<double, double>> zero = {};
-    /// Times of the table [s] between which samples are used.
+    /// Times in the table [s] between which samples are used; without a value, from the beginning or to the
+    /// end.
     std::optional<double> from = {}, to = {};
     bool invert = false;
     WrongRows wrongRows = WrongRows::refused;
     bool operator==(const SignalOptions&) const = default;
 };
 
-/// Bar with the gauge, according to the scenario. The same data in SignalOptions take precedence.
+/// Data from the scenario of the bar that carries the strain gauges. Data in SignalOptions replace them.
 struct SignalBar {
     std::optional<double> area = {};       ///< cross-section A [m²]
     std::optional<double> modulus = {};    ///< Young's modulus E [Pa]
@@ -78,18 +79,19 @@ struct SignalReading {
     FactSource unitFrom = FactSource::header;
     Samples samples;  ///< samples of the record: times in s, values in the unit of the table
     SignalQuality quality;
-    /// Steps by which `blow` was made; a smaller number of points in them gives a thinned blow.
+    /// Recipe by which `blow` was made from the samples. With a smaller number of points in it,
+    /// shapedSignal() gives the same blow with fewer points.
     SignalRecipe recipe;
     ShapedSignal blow;  ///< hammer force of the record [N], with all points; empty while a question is open
     /// Force [N], with its sign, that corresponds to the number 1 in the table; 0 if unknown.
     double forcePerNumber = 0;
     double zero = 0;   ///< zero line subtracted from all samples, in the unit of the table
     RecordSpan range;  ///< times of the table [s] at the start and the end of the blow
-    /// Open questions: "unit", "rate", "time_unit", "column", "decimal", "area", "modulus", "bridge",
-    /// "gauge_factor", "impedance".
+    /// Questions that the user must answer before the force is known: "unit", "rate", "time_unit", "column",
+    /// "decimal", "area", "modulus", "bridge", "gauge_factor", "impedance".
     std::vector<std::string> questions;
     std::vector<SignalRemark> remarks;
-    /// Reason why the text is not a table of samples; then all other members are invalid.
+    /// Reason why the text is not a table of samples; then all other members are invalid. Empty if it is one.
     Message problem;
     /// Whether the problem is a wrong option, such as a column that does not exist.
     bool isWrongOption = false;
@@ -97,16 +99,18 @@ struct SignalReading {
     bool isTimeKnown() const;
     bool hasForce() const { return forcePerNumber != 0; }
     bool isOpen() const { return !questions.empty(); }
-    /// Returns the unit of peak(): "kN" if the force is known, else the unit of the table; empty if that is
-    /// unknown too.
+    /// Returns the unit of peak(): "kN" if the force is known, else the unit of the table. Empty if the unit
+    /// of the table is unknown too.
     std::string_view peakUnit() const;
-    /// Returns the largest value above the zero line in the unit peakUnit(), positive for compression.
+    /// Returns the largest deviation from the zero line in the unit peakUnit(), with its sign. If the force
+    /// is known, compression is positive.
     double peak() const;
 };
 
-/// Returns the record read from a stream that can be rewound. The sign is chosen so that the largest value is
-/// compression. The time range of a strain or other gauge signal, or of a force with noise, is the part
-/// around the peak.
+/// Returns the interpretation of the record in a stream, which is read several times from its beginning. The
+/// sign is chosen so that the largest value is compression. If the record is a strain or another gauge
+/// signal, or a force with noise, only the part around its peak is used. Times in the options take
+/// precedence.
 SignalReading readSignal(std::istream& in, const SignalOptions& options, const SignalBar& bar = {},
                          const std::stop_token& stop = {});
 

@@ -17,14 +17,15 @@ namespace drillwave {
 // Selection of samples of a curve, so that straight lines between them stay close to all samples.
 
 /// Returns the ascending indices of at most `most` ≥ 2 samples, including the first and the last. Straight
-/// lines between them deviate from all samples as little as this search can achieve, to a fraction of a
-/// percent. For a given deviation each line is made as long as possible; the deviation is found by bisection.
-/// Requires increasing times. A stop request ends the search early.
+/// lines between them approximate all samples, with a largest deviation as small as possible. This deviation
+/// is found by bisection to 0.5 %; for each trial value every line is made as long as possible. Requires
+/// increasing times. A stop request ends the search early.
 std::vector<std::size_t> thinnedCurve(std::span<const double> time, std::span<const double> value,
                                       std::size_t most, const std::stop_token& stop = {});
 
-/// Purpose of the force. A blow starts at time 0 and has only compression; a curve keeps its times. A thinned
-/// blow also keeps its impulse, unless this would move its forces by more than twice the deviation.
+/// Purpose of the force. A blow starts at time 0 and has only compression; a curve keeps its times. A blow of
+/// which points were left out also keeps its impulse, unless this would move its forces by more than twice
+/// the deviation.
 enum class SignalUse { blow, curve };
 
 /// Choice of the zero line: the value of the signal without load, which is subtracted from all samples.
@@ -56,7 +57,8 @@ struct SignalRecipe {
     bool operator==(const SignalRecipe&) const = default;
 };
 
-/// Force over time made from samples, and the changes made on the way.
+/// Force over time made from samples, with information on how the samples were changed, such as the number of
+/// clipped ones.
 struct ShapedSignal {
     TablePoints points;         ///< time [s] and force [N]; those of a blow are rounded to nine digits
     double start = 0;           ///< time of the table at which the points begin [s]
@@ -72,8 +74,8 @@ struct ShapedSignal {
     std::string problem;   ///< reason why there is no force; then there are no points
 };
 
-/// Returns the force over time that these steps make of the samples. Requires samples without a problem.
-/// Impulses are integrated along straight lines between samples.
+/// Returns the force over time that `recipe` makes of the samples. Requires samples without a problem.
+/// Impulses are integrals along straight lines between samples.
 ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe,
                           const std::stop_token& stop = {});
 
@@ -86,8 +88,8 @@ struct RecordSpan {
     double from = 0;  ///< time of the record at the start of this part [s]
     double to = 0;    ///< time of the record at the end of this part [s]
 };
-/// Returns the times before and after the largest absolute value at which the signal has fallen to 2 % of it.
-/// Returns nullopt if that value equals the zero line.
+/// Returns the part of the record around its largest absolute value, above the zero line. It begins and ends
+/// where the signal is 2 % of that value. Returns nullopt if all samples equal the zero line.
 std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
 
 /// Returns the sign, +1 or −1, of the sample with the largest absolute value after subtraction of the zero

@@ -39,8 +39,8 @@ struct NamedSignalUnit {
 /// Returns the unit with this name, of any kind of signal, or nullopt. Names are case-sensitive.
 std::optional<NamedSignalUnit> findSignalUnit(std::string_view name);
 
-/// Returns the unit of time that a word stands for, in s: "us", "µsec", "Mikrosekunden"; nullopt for any
-/// other word.
+/// Returns the length in seconds of the unit of time with this name: 1e-6 for "us", "µsec" or
+/// "Mikrosekunden". Returns nullopt for any other word.
 std::optional<double> findTimeUnit(std::string_view name);
 
 /// Returns the unit of sampling rate that a word stands for, in Hz: "MHz", "kS/s", "samples/s"; nullopt for

@@ -28,15 +28,15 @@ struct TimeStamp {
 /// only for a record that passes midnight.
 std::optional<TimeStamp> timeStamp(std::string_view cell);
 
-/// Returns the time from `first` to `stamp` [s]. Without dates a stamp that seems more than half a day
-/// earlier is on the next day.
+/// Returns the time from `first` to `stamp` [s]. Without dates, a stamp more than half a day earlier than
+/// `first` is assumed to be on the next day.
 double secondsSince(const TimeStamp& first, const TimeStamp& stamp);
 
 // Sampling rates, intervals and units that are stated above or beside the samples.
 
-/// Searches the lines above the samples, and the cells beside the first ones, for facts that the table lacks,
-/// and adds them. These are a sampling rate or interval with its unit ("sampling rate: 5 MHz",
-/// "Sample Interval",1e-6,s, "Abtastrate [kHz];5000"), and units of the axes ("Vertical Units",V).
+/// Adds to `table` facts from the lines above the samples, and from cells beside the first samples. These are
+/// a sampling rate or interval with its unit ("sampling rate: 5 MHz", "Sample Interval",1e-6,s, "Abtastrate
+/// [kHz];5000"), and units of the axes ("Vertical Units",V). Facts that the table already has remain.
 void readStatedRate(std::span<const std::string> lines, DetectedTable& table);
 
 }  // namespace drillwave

@@ -16,18 +16,19 @@ enum class DecimalSign { point, comma };
 struct RowFormat {
     char separator = ',';  ///< ',', ';', '|' or a tab; a blank stands for any number of blanks and tabs
     DecimalSign decimal = DecimalSign::point;
-    /// Whether thousands may be separated by the point or comma that is not the decimal sign. It is set only
-    /// if the decimal sign is certain. Blanks and apostrophes between groups are always allowed.
+    /// Whether thousands may be separated by the other sign: commas if the decimal sign is the point, points
+    /// if it is the comma. Set only if the decimal sign is certain. Blanks and apostrophes may always
+    /// separate thousands.
     bool otherSignGroups = false;
     bool operator==(const RowFormat&) const = default;
 };
 
-/// Reader of one row after the other. Cells lose the blanks and the quotes around them. A separator inside
-/// quotes belongs to the cell.
+/// Splitter of table rows into cells, one row at a time. Cells lose the blanks and the quotes around them. A
+/// separator inside quotes belongs to the cell.
 class TableRow {
   public:
-    /// Returns the cells of a line, at most `most`. They refer to the line and are valid only until the next
-    /// call.
+    /// Returns the cells of a line, at most `most`. They point into the line, and are valid only until the
+    /// next call.
     const std::vector<std::string_view>& split(std::string_view line, char separator,
                                                std::size_t most = mostCells);
     static constexpr std::size_t mostCells = 1000;
@@ -39,20 +40,22 @@ class TableRow {
     std::deque<std::string> m_unquoted;
 };
 
-/// Returns the number in a cell, or nullopt. The point or comma that is not the decimal sign is allowed only
-/// between groups of three digits. It requires that the format says so, or that a decimal sign follows
-/// ("3,676.8"). U+2212 is a minus, no-break spaces are blanks, and D may begin an exponent, as in Fortran.
+/// Returns the number in a cell, or nullopt. If the comma is the decimal sign, points may only separate
+/// groups of three digits, and vice versa. Such groups require `format.otherSignGroups`, or a decimal sign
+/// after them ("3,676.8"). U+2212 is a minus, no-break spaces are blanks, and D may begin an exponent, as in
+/// Fortran.
 std::optional<double> cellNumber(std::string_view cell, const RowFormat& format);
 
-/// Returns a cell that begins with a number with that number in C notation: "3,66 m" becomes "3.66 m". Any
-/// other cell does not change.
+/// Converts the number at the beginning of a cell to C notation: "3,66 m" becomes "3.66 m". Returns any other
+/// cell unchanged.
 std::string plainCell(std::string_view cell, const RowFormat& format);
 
 /// Evidence in one cell for the decimal sign and for groups of thousands.
 struct SignEvidence {
     bool point = false;  ///< whether the point must be a decimal sign
     bool comma = false;  ///< whether the comma must be a decimal sign
-    /// Whether a single point or comma precedes three digits, "1,234", and may be either.
+    /// Whether the point or comma in a number such as "1,234" may be a decimal sign or may separate
+    /// thousands.
     bool ambiguous = false;
     /// Sign between groups of three digits: ',', '.', an apostrophe or ' '; 0 for none.
     char groups = 0;

@@ -28,11 +28,12 @@ class TextLines {
     explicit TextLines(std::istream& in, TextEncoding wanted = TextEncoding::found)
         : m_in(in), m_wanted(wanted) {}
 
-    /// Reads the next line as UTF-8 without its end, valid until the next call. Returns false at the end, and
-    /// if the text cannot be read further, see problem().
+    /// Reads the next line as UTF-8 without its line end. `line` is valid until the next call. Returns false
+    /// at the end of the text, or if it cannot be read further; see problem().
     bool next(std::string_view& line);
-    /// Moves all bytes read ahead into `block`, if they need no decoding because they are ASCII with LF.
-    /// Returns false if next() must be used, also at the end. Does not count lines.
+    /// Moves all bytes that were read ahead into `block`, which is faster than reading lines. Returns false
+    /// at the end, or if the bytes need decoding because they are not ASCII with LF; use next() then. Does
+    /// not count lines.
     bool takePlainBlock(std::string& block);
     /// Returns the number of the last line read, counted from 1.
     std::size_t number() const { return m_number; }
@@ -42,8 +43,8 @@ class TextLines {
     TextEncoding encoding() const;
     /// Returns whether the text ended with NUL bytes.
     bool hasNulTail() const { return m_hasNulTail; }
-    /// Returns the beginning of the text as UTF-8, as much as one block contains. Must be called before the
-    /// first line is read.
+    /// Returns the beginning of the text as UTF-8: the first block that is read from the stream. Must be
+    /// called before the first line is read.
     std::string_view beginning();
     /// Returns why reading stopped before the end: a line is too long, or is not text. Empty if it did not.
     const std::string& problem() const { return m_problem; }

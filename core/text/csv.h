@@ -28,8 +28,8 @@ class CsvInSigns {
   public:
     explicit CsvInSigns(CsvSigns signs) : m_signs(signs) {}
 
-    /// Returns whole lines of CSV, which have commas and decimal points, with the separator and decimal sign
-    /// of this converter.
+    /// Converts complete lines of CSV with commas and decimal points to the separator and decimal sign of
+    /// this object.
     std::string text(std::string_view lines);
 
   private:
@@ -64,8 +64,8 @@ class CsvReader {
     int line() const { return m_line; }
 
   private:
-    /// Moves to the start of the next line, after '#' lines before the header, and returns false at the end
-    /// of the file. That line may be blank.
+    /// Moves to the start of the next line; before the header, lines that begin with '#' are skipped. The
+    /// line may be blank. Returns false at the end of the file.
     bool findRecord();
 
     std::istream& m_in;

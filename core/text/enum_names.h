@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// Returns whether an enumeration has an enumerator of this value. Reads how the compiler writes the value:
-/// others appear as a number after a cast, "(Method)3".
+/// Returns whether an enumeration has an enumerator of this value. It looks at the text that the compiler
+/// writes for the value: a name, or for any other value a number after a cast, "(Method)3".
 template <auto value>
 consteval bool isEnumerator() {
     constexpr std::string_view before = "value = ";

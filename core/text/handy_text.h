@@ -61,7 +61,8 @@ class ReadingStyle {
     /// Returns whether texts are for a window or a page. Such texts have typographic signs (−, µ, ≥) and
     /// refer to pages of the window instead of commands.
     virtual bool isPrinted() const { return false; }
-    /// Returns whether tables show an input in the unit that the scenario file gives it in.
+    /// Returns whether tables show an input as the scenario file gives it, with the unit of the file. If
+    /// false, tables show inputs in the units of unitFor().
     virtual bool keepsUnitsOfFile() const { return true; }
     /// Returns the title of a table column that shows values with their units: "in SI".
     virtual Message unitsTitle() const { return translatable("in SI"); }
@@ -87,8 +88,8 @@ class ReadingStyle {
     std::string withDecimalSign(std::string cText) const;
     /// Returns a share, such as 0.103, in per cent with its sign: "+10.3 %", "-5 %".
     std::string signedPercent(double share) const;
-    /// Returns the name of a value of an enumeration in the language of the reader: "half_sine" becomes
-    /// "half sine" in print.
+    /// Returns the name of a value of an enumeration in the language of the reader. Windows and pages get
+    /// "half sine" for "half_sine".
     std::string name(std::string_view name) const;
 
   private:

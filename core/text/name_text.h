@@ -48,8 +48,8 @@ std::string printableLine(std::string_view text);
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
 /// Returns the shortest candidate that has all words of `name`, or empty: "drilling_rate" finds
-/// "drill_penetration_rate". Words are the parts between underscores; two match if one begins with the other,
-/// from four letters.
+/// "drill_penetration_rate". Words are the parts between underscores. Two words match if one begins with the
+/// other; both must have at least four letters.
 std::string_view nameWithWords(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace drillwave

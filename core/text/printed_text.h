@@ -21,7 +21,8 @@ std::string printedNumber(std::string_view text);
 /// for "tau".
 std::string printedWords(std::string_view text);
 
-/// Format of texts in windows and on pages: as another format, but with typographic signs (−, µ, ≥).
+/// Format of texts in windows and on pages. It takes each text from another format, and puts typographic
+/// signs (−, µ, ≥) into it.
 class PrintedStyle : public ReadingStyle {
   public:
     /// Takes the format whose texts get typographic signs. It must outlive this object.

@@ -11,8 +11,8 @@ namespace drillwave {
 /// Returns the number of characters of a text in UTF-8, which is its width in columns of a terminal.
 std::size_t columnsOf(std::string_view text);
 
-/// Returns the byte offset at which the character with this number, counted from 0, begins. Returns the
-/// length in bytes if the text has fewer characters.
+/// Returns the byte offset of the character with number `column`, counted from 0. If the text has fewer
+/// characters, returns its length in bytes.
 std::size_t byteOfColumn(std::string_view text, std::size_t column);
 
 /// Returns the text with blanks after it, or before it for rightAligned(), to fill this many columns. A text

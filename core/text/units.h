@@ -78,8 +78,8 @@ struct TypedQuantity {
 enum class BareNumber { refused, inDefaultUnit };
 
 /// Returns the value and unit of a text such as "38 mm", "1.5in", "255 kN", "200 us" or "51 N s". A `ratio`
-/// is a bare number, a `share` "0.02" or "2 %". Decimal commas are refused: the form converts numbers to the
-/// C locale first.
+/// is a bare number, a `share` "0.02" or "2 %". Decimal commas are refused: input fields replace them by
+/// points first.
 TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber bare = BareNumber::refused,
                             const Unit* defaultUnit = nullptr);
 

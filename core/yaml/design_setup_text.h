@@ -20,11 +20,12 @@ inline constexpr std::string_view designKey = "design";
 /// the wrong kind (text, truth value or number). The study checks the meaning of the texts.
 DesignSetup readDesignSetup(SectionReader& reader, const YamlEntries& file);
 
-/// Returns the values of the block `design` that are not lists, as SavedValue, the type used for all values
-/// of a scenario file.
+/// Returns the single values of the block `design`, such as the number of samples, in the form used for all
+/// values of a scenario file. Lists are left out.
 std::vector<SavedValue> savedDesignValues(const DesignSetup& setup);
 
-/// Returns the keys of all lists of the block `design`, also of empty ones, with their items as YAML.
+/// Returns the key and the items of every list in the block `design`, with the items as YAML. Empty lists are
+/// included.
 std::vector<std::pair<std::string_view, std::vector<std::string>>> designLists(const DesignSetup& setup);
 
 /// Returns the block `design` as in a new file, "design:\n  uncertain:\n …"; empty for empty settings.

@@ -11,12 +11,12 @@ namespace drillwave {
 /// Keys of the section `bit_rock` whose values are not numbers.
 inline constexpr std::string_view lawKey = "law", cornersKey = "corners";
 
-/// Reads the form of the loading curve into the scenario; if absent, it stays bilinear. Returns false and
-/// reports the value if it is not a known word.
+/// Reads the form of the loading curve into the scenario; without the key it stays bilinear. Returns false
+/// and reports an error if the value is no known form.
 bool readLaw(SectionReader& reader, const YamlEntries& entries);
 
-/// Reads the corners of a loading curve into the scenario. Reports corners for another form of the curve,
-/// missing corners, and corners without a force or slope.
+/// Reads the corners of a loading curve into the scenario. Reports as errors: corners in a curve of another
+/// form, a missing list of corners, and corners without a force or slope.
 void readCorners(SectionReader& reader, const YamlEntries& entries);
 
 }  // namespace drillwave

@@ -44,13 +44,14 @@ std::span<const SectionPreset> builtInSectionPresets();
 
 // Source of the values of a preset, written into the scenario file that uses them.
 
-/// Returns the source that a preset gives for a saved value; empty for values that the preset does not set.
+/// Returns the source that a preset gives for a value of a scenario file. Empty for values that the preset
+/// does not set.
 std::string presetSource(const Preset& preset, const SavedValue& saved);
 
 /// Returns the text of a scenario file, see writeScenario(), with the source of each value of the preset as a
 /// comment after it. Existing comments remain. Values in braces get none, as it would apply to all of them.
-/// Throws ScenarioError if the text would be larger than 1 MiB. Requires a scenario to which the preset was
-/// just applied.
+/// If the text would be larger than 1 MiB, no comments are added. Throws ScenarioError if it is too large
+/// without them. Requires a scenario to which the preset was just applied.
 std::string writeWithPreset(const ScenarioDocument& document, const Preset& preset);
 
 }  // namespace drillwave

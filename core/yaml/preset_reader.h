@@ -20,10 +20,11 @@ namespace drillwave {
 /// Reader of one list of presets. Errors go to `reader`, which must outlive it.
 class PresetList {
   public:
-    /// Takes the reader for errors, and the key of the list, "rods".
+    /// Makes a reader of the list with this key, such as "rods". Errors are reported to `reader`.
     PresetList(SectionReader& reader, std::string_view key) : m_reader(reader), m_key(key) {}
 
-    /// Calls `read` for every item that is a map, and reports other items. An absent list counts as empty.
+    /// Calls `read` for every item of the list that is a map, and reports an error for any other item. An
+    /// absent list counts as empty.
     void readItems(const YamlNode& list, const std::function<void(const YamlNode&)>& read);
     /// Returns the text of a required key of an item. Reports a missing or invalid text, and returns an empty
     /// one then.
@@ -51,7 +52,8 @@ class PresetReader {
   public:
     explicit PresetReader(std::string_view text) : m_reader(text) {}
 
-    /// Returns the presets of rods, hammers and rocks. The result is invalid if there are errors.
+    /// Reads a preset file and returns its presets of rods, hammers and rocks. If takeProblems() then returns
+    /// errors, the presets are invalid.
     std::vector<Preset> read(const YamlNode& root);
     /// Returns the presets of sections that read() has found.
     std::vector<SectionPreset> takeSectionPresets() { return std::move(m_sectionPresets); }

@@ -12,15 +12,16 @@
 
 namespace drillwave {
 
-/// Source of the points of a table file. With `points`, they replace the contents of the file, which is not
+/// Source of the points of a table file. If `points` is given, these points are used and the file is not
 /// opened. Otherwise the file is read; its path is relative to that of the scenario file `source`.
 struct TableSource {
     const std::string& source;
     const TablePoints* points = nullptr;
 };
 
-/// Reads the section `pulse` into the scenario of the reader, whose form is already known. Returns whether a
-/// table file cannot be read; if there is no other error, the scenario is unreadable instead of invalid.
+/// Reads the section `pulse` into the scenario of the reader, whose form is already known. Returns true if a
+/// table file cannot be read. If that is the only error, the scenario counts as unreadable, which has another
+/// exit code than invalid.
 bool readPulse(SectionReader& reader, const YamlEntries& file, const TableSource& tables);
 
 // Table file of a tabulated hammer force: time and force, with their units in the header.

@@ -54,8 +54,8 @@ RecorderFile loadRecorders(const std::string& path);
 /// Writes recorders.yaml, and makes its folder. Returns an empty message when done, else why it failed.
 Message saveRecorders(const std::string& path, const std::vector<Recorder>& recorders);
 
-/// Sets in `options` those options for which a recorder has settings, and no others. Returns an empty message
-/// when done, else the error in a setting.
+/// Sets those members of `options` for which the recorder has settings; other members do not change. Returns
+/// an empty message when done, else the error in a setting.
 Message applyRecorder(const Recorder& recorder, SignalOptions& options);
 
 }  // namespace drillwave

@@ -65,14 +65,15 @@ std::string writeScenario(const ScenarioDocument& document);
 
 // Comment lines at the top of a scenario in a result: which program wrote it, and how it was solved.
 
-/// Beginnings of the comment lines at the top of a scenario in a result, in this order. All but the first may
+/// Beginnings of the comment lines that a result has above its scenario, in this order. All but the first may
 /// be absent.
 inline constexpr std::string_view writtenRemark = "# Written by Drillwave ";
 inline constexpr std::string_view solvedRemark = "# Solved by method ";
 inline constexpr std::string_view columnsRemark = "# Columns: ";
 
-/// Returns the number of bytes of the comment lines that describe a result, and of a byte order mark before
-/// them. Returns 0 if the text does not begin with them.
+/// Returns the length in bytes of the comment lines at the beginning of a text that describe a result,
+/// including a byte order mark. The scenario begins after them. Returns 0 if the text does not begin with
+/// such a comment.
 std::size_t remarksLength(std::string_view yaml);
 
 }  // namespace drillwave

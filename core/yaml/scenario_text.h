@@ -20,8 +20,8 @@ struct SavedUnit {
 
 /// Value in a scenario file: a number, or a text (title, shape, table file, name of a section).
 struct SavedValue {
-    /// Path of the map that contains it: "rod", "hammer.sections.0", "string.2.of.1"; empty at the top level.
-    /// Items of lists are counted from 0.
+    /// Path of the YAML map that contains the value: "rod", "hammer.sections.0", "string.2.of.1"; empty at
+    /// the top level. Items of lists are counted from 0.
     std::string section;
     std::string_view key;           ///< key of the value within its map, "length"
     std::optional<SavedUnit> unit;  ///< quantity and default unit of a number; nullopt for a text
@@ -33,11 +33,12 @@ struct SavedValue {
     const Parameter* parameter = nullptr;
 };
 
-/// Returns all values of a scenario file, in the order of the file, except the points of a table within it.
+/// Returns all values of a scenario file, in the order of the file, except the points of a force table within
+/// it.
 std::vector<SavedValue> savedValues(const Scenario& scenario);
 
-/// Returns the scenario with default values for everything that its form and shape do not use. Files do not
-/// store these values.
+/// Returns the scenario with default values for everything that its form and the shape of its force do not
+/// use. Files do not store such values.
 Scenario withoutUnusedValues(const Scenario& scenario);
 
 /// Returns a value as it is written after its key, "3660 mm", in its default unit or the given one.
@@ -49,22 +50,23 @@ std::string yamlScalar(std::string_view text);
 /// Returns the text of a new scenario file.
 std::string scenarioText(const Scenario& scenario);
 
-/// Paths of the lists in a scenario file, besides "string" and its repeats.
+/// Paths of the lists in a scenario file that listItems() writes: points of a force table, corners of the
+/// loading curve, and sections of the hammer. The list "string" is separate.
 inline constexpr std::string_view pointsPath = "pulse.points", cornersPath = "bit_rock.corners",
                                   hammerSectionsPath = "hammer.sections";
 
-/// Returns the items of one of the lists, such as "bit_rock.corners", as a new file has them, without dashes.
-/// The lines of a longer item are not indented. Empty if the scenario has no such list.
+/// Returns the items of one list of a new scenario file as YAML, such as those of "bit_rock.corners", without
+/// their dashes. The lines of a longer item are not indented. Empty if the scenario has no such list.
 std::vector<std::string> listItems(const Scenario& scenario, std::string_view list);
 
-/// Returns the values that have this path as a YAML map in braces, "{length: 3660 mm, …}", for an item of a
-/// list.
+/// Returns those of the values whose `section` is this path, as a YAML map in braces, "{length: 3660 mm, …}".
+/// Such a map is an item of a list.
 std::string sectionItem(const std::vector<SavedValue>& values, std::string_view path);
 
 /// Returns items as a YAML list, each on one or more lines, indented by this number of blanks.
 std::string listText(const std::vector<std::string>& items, std::size_t indentation);
 
-/// Returns one section of a new file: "drill:\n  thrust: 8 kN\n".
+/// Returns one section of a new scenario file as text, such as "drill:\n  thrust: 8 kN\n".
 std::string sectionText(const Scenario& scenario, std::string_view section);
 
 }  // namespace drillwave

@@ -26,13 +26,14 @@ class ProblemList {
   public:
     explicit ProblemList(std::string_view text) : m_text(text) {}
 
-    /// Reports the error "key = value (reason)" at this byte of the text.
+    /// Adds the error "key = value (reason)" to the list, with line and column of the byte at `offset` in the
+    /// text.
     void reportValue(std::size_t offset, std::string_view key, std::string_view value, const Message& reason);
-    /// Reports the error "key (reason)" at this byte of the text.
+    /// Adds the error "key (reason)" to the list, with line and column of the byte at `offset` in the text.
     void reportKey(std::size_t offset, std::string_view key, const Message& reason);
     /// Reports an error that already has its position.
     void report(InputProblem problem);
-    /// Reports an error and sets its position to this byte of the text.
+    /// Adds an error to the list, with line and column of the byte at `offset` in the text.
     void reportAt(std::size_t offset, InputProblem problem);
 
     bool empty() const { return m_problems.empty(); }
@@ -73,34 +74,37 @@ class SectionReader {
     ProblemList& problems() { return m_problems; }
     bool dimensional() const { return m_scenario.form == ScenarioForm::dimensional; }
 
-    /// Returns the entries of a map that have known keys. Reports unknown keys, and keys that occur twice.
+    /// Returns the entries of a map that have known keys. Reports an error for each unknown key, and for a
+    /// key that occurs twice.
     YamlEntries entriesOf(const YamlNode& map, std::string_view section,
                           const std::vector<std::string_view>& known);
     /// Returns the entries of the section `name` of a file. Known keys are those of the parameters of the
-    /// section `group`, and `moreKeys`. Returns nullopt and reports an error if the section is missing or is
-    /// not a map.
+    /// section `group`, and `moreKeys`; others are reported. An empty section has no entries. Returns nullopt
+    /// and reports an error if the section is missing or is not a map.
     std::optional<YamlEntries> section(const YamlEntries& file, std::string_view name, std::string_view group,
                                        std::vector<std::string_view> moreKeys = {});
 
     /// Treatment of parameters that do not apply to the scenario: reported as errors, or not.
     enum class Applicability { checked, ignored };
     /// Sets every parameter of the section `group` that is present in the file. The order is that of the
-    /// table of parameters, because converting a mean force to an impulse requires the duration.
+    /// table of parameters, because a mean force can be converted to an impulse only after the duration is
+    /// set.
     void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
 
-    /// Reports required parameters of the section `group` that are missing, and pairs of which both or
-    /// neither is given. Parameters that do not apply to the scenario are ignored.
+    /// Reports required parameters of the section `group` that are missing. Exactly one parameter of a pair
+    /// such as mean force and impulse must be given. Parameters that do not apply to the scenario are
+    /// ignored.
     void requireParameters(const YamlEntries& entries, std::string_view group);
-    /// Reports the parameter if it is missing from its section.
+    /// Reports an error if the parameter is missing from `entries`, its section of the file.
     void require(const YamlEntries& entries, const Parameter& parameter);
-    /// Reports the shape of the hammer force if it is missing.
+    /// Reports an error if the file does not give the shape of the hammer force.
     void requireShape(const YamlEntries& entries);
     /// Reports an error unless exactly one of the two keys is present.
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);
     void reportMissing(std::string_view section, std::string_view key, const Message& reason);
-    /// Returns whether the key is present. Also true for a misspelt form of the key, which was already
-    /// reported as unknown.
+    /// Returns whether the key is present. A misspelt form of it counts as well: it was already reported as
+    /// unknown, and must not be reported as missing too.
     bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
 
     /// Stores the byte offset of a key in the text, for errors that are found later.

@@ -39,8 +39,8 @@ class YamlEdits {
     void replaceEntry(const YamlNode& map, std::size_t at, const std::string& lines);
     /// Removes an entry from a map. `at` is the index of its key in the children of the map.
     void removeEntry(const YamlNode& map, std::size_t at);
-    /// Adds the entry "KEY: VALUE" to a map, after the entry with the key `before`, or before all entries if
-    /// that is nullptr.
+    /// Adds the entry "KEY: VALUE" to a map, after the existing key `before`. If `before` is nullptr, the new
+    /// entry becomes the first one.
     void addEntry(const YamlNode& map, const YamlNode* before, const std::string& entry);
     /// Adds a list with this key after the last entry of a map, one item per line.
     void addList(const YamlNode& map, std::string_view key, const std::vector<std::string>& items);
@@ -54,12 +54,12 @@ class YamlEdits {
 
     // Items of a list on one or more lines each:
 
-    /// Returns the lines of a list item, of which the first begins with its dash.
+    /// Returns the complete lines of a list item; the first one begins with the dash of the item.
     TextExtent itemLines(const YamlNode& item) const;
     /// Returns the column of the dash in the lines of a list item, from 0.
     std::size_t dashColumn(TextExtent lines) const { return m_text.find('-', lines.begin) - lines.begin; }
-    /// Adds list items before the line that begins at the byte `place`. `column` is the column of their
-    /// dashes.
+    /// Adds items to a list, before the line that begins at the byte `place`. `column` is the column of their
+    /// dashes, from 0.
     void addItems(std::size_t place, const std::vector<std::string>& items, std::size_t column);
     /// Replaces the lines of a list item by other items, or removes them if there are none. `column` is the
     /// column of their dashes.

@@ -19,15 +19,15 @@ struct TextExtent {
 /// Returns the bytes of a scalar including its quotes; nullopt if it is not on one line.
 std::optional<TextExtent> extentOf(std::string_view text, const YamlNode& scalar);
 
-/// Returns the byte after a value, including the brackets that close it. Returns nullopt if the value is
-/// absent, or if its last scalar is not on one line.
+/// Returns the position just after a value in the text, including the brackets that close it. Returns nullopt
+/// if the value is absent, or if its last scalar is not on one line.
 std::optional<std::size_t> endOf(std::string_view text, const YamlNode& value);
 
 /// Returns the complete lines that contain these bytes, including the last line end.
 TextExtent linesOf(std::string_view text, TextExtent extent);
 
-/// Returns the comment after the byte `place` on the same line, from its `#` to the end of the line. Empty if
-/// there is no comment, or if anything but blanks precedes it.
+/// Returns the comment on the same line after the byte `place`, from its `#` to the end of the line. Empty if
+/// there is none, or if other text is between the byte and the `#`.
 TextExtent commentBehind(std::string_view text, std::size_t place);
 
 }  // namespace drillwave

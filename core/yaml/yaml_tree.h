@@ -29,8 +29,8 @@ struct YamlNode {
     const std::string* textOf(std::string_view key) const;
 };
 
-/// First construct of a text that the parser does not accept, with its byte position. It may still be valid
-/// YAML.
+/// First part of a YAML text that this parser does not accept, with its byte offset. The part may be valid
+/// YAML that this program does not support; see `isYaml`.
 struct YamlProblem {
     std::size_t offset = 0;
     Message text;        ///< description of the problem; empty if there is none
