@@ -16,8 +16,8 @@ namespace drillwave {
 class ChoiceBox;
 class QuantityField;
 
-/// Rows of the form for the choice of the bit-rock law and for its corners. Other values of the law, such as
-/// its stiffness, have a ParameterRow each.
+/// Rows of the input form for the choice of the bit-rock law and for the corners of its loading curve. Other
+/// values of the law, such as its stiffness, have a ParameterRow each.
 class LawSection : public QObject {
     Q_OBJECT
 

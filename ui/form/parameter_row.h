@@ -16,13 +16,13 @@ namespace drillwave {
 /// Number of columns in the grid of a section: name, slider, field, unit.
 inline constexpr int formColumns = 4;
 
-/// Form row built from one entry of the parameter table. Its widgets are in the grid of the section.
+/// Form row of one parameter: name, slider, field and unit. Its widgets are in the grid of the section.
 class ParameterRow : public QObject {
     Q_OBJECT
 
   public:
-    /// Adds a row at the end of `grid`. `sectionTitle` is used in the accessible names. `units` must outlive
-    /// this object.
+    /// Adds a row at the end of `grid`. `sectionTitle` becomes part of the names that screen readers speak.
+    /// `units` must outlive this object.
     ParameterRow(const Parameter& parameter, UnitChoice& units, const QString& sectionTitle,
                  QGridLayout* grid, QWidget* parent);
 
@@ -44,7 +44,7 @@ class ParameterRow : public QObject {
 
   signals:
     void cleared();
-    /// Emitted when the user asks for the value of the parameter that gives a certain result.
+    /// Emitted when the user asks which value of the parameter gives a wanted result.
     void goalRequested();
     /// Emitted when the slider was double-clicked, to restore the value of the file.
     void resetRequested();

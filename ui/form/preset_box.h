@@ -18,16 +18,16 @@ class PresetBox : public ChoiceBox {
     Q_OBJECT
 
   public:
-    /// Makes the box. All references must outlive it. `part` is the section's name in accessible names:
-    /// "Rod".
+    /// Makes the box. Document, library and questions must outlive it. `part` is the name that screen readers
+    /// speak, such as "Rod".
     PresetBox(PresetKind kind, const QString& part, Document& document, PresetLibrary& library,
               Questions& questions, QWidget* parent = nullptr);
 
-    /// Shows the name of the preset whose values the scenario has, or "custom", and the source of its values
-    /// in the tooltip.
+    /// Shows the name of the preset that has the same values as the scenario, or "custom" if there is none.
+    /// The tooltip states where the values of the preset come from.
     void present(const Scenario& scenario);
     void showPopup() override;
-    /// Returns the menu, filled with the present presets.
+    /// Returns the menu that the box opens, filled with the presets available now.
     QMenu* menu();
 
   signals:

@@ -6,8 +6,9 @@
 
 namespace drillwave {
 
-/// Label drawn over the rows below a field, or above it if there is no room below. It is hidden until say()
-/// is called, and does not react to the mouse.
+/// Label that says why the text of an input field is invalid. It is drawn over the rows below the field, or
+/// above the field if there is no room below. It is hidden until say() is called, and does not react to the
+/// mouse.
 class ProblemPlate : public QLabel {
     Q_OBJECT
 

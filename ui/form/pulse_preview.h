@@ -15,8 +15,8 @@ class UnitChoice;
 // Curve of the hammer force over time, ready to be drawn, for any pulse shape.
 
 /// Curve of the hammer force: time in units of t0 from 0 to `end`, force relative to its peak. It has at most
-/// a few thousand points; longer tables keep their extremes. A pulse of infinite length is cut where little
-/// of its force remains. Empty without a force.
+/// a few thousand points; longer tables are thinned, but keep their extremes. A pulse of infinite length is
+/// cut where little of its force remains. Empty without a force.
 struct PulseCurve {
     QPolygonF points;
     double end = 0;

@@ -23,8 +23,8 @@ class PulseSection : public QObject {
     /// Adds the rows at the end of `grid`. Document and questions must outlive this object.
     PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent);
 
-    /// Choice whether to check again which pulse shapes the scenario permits (`asked`), or to use the earlier
-    /// answers (`asBefore`). The check validates the scenario once for each shape.
+    /// Choice whether to check again which pulse shapes the scenario permits (`asked`), or to use the result
+    /// of the last check (`asBefore`). The check validates the scenario once for each shape.
     enum class Shapes { asked, asBefore };
     void present(const Scenario& scenario, Shapes shapes);
 

@@ -24,7 +24,7 @@ class ChoiceBox;
 
 // Form row for whether the bit meets new rock with every blow, which is a choice of words, not a number.
 
-/// Row in a section's grid, with the choice whether the bit meets new rock with every blow (indexing).
+/// Row of the input form in which the user chooses whether the bit meets new rock with every blow (indexing).
 class IndexingBox : public QObject {
     Q_OBJECT
 
@@ -44,7 +44,8 @@ class IndexingBox : public QObject {
 // Form rows of drill strings without numbers: a summary with a link to the sections, and a choice whether the
 // hammer may strike again.
 
-/// Rows of drill strings, in the grids of two sections of the form.
+/// Rows of the input form that only drill strings have: a summary of the sections, and the choice whether the
+/// hammer may strike again.
 class StringSection : public QObject {
     Q_OBJECT
 
@@ -86,12 +87,12 @@ class ScenarioPanel : public SteadyScrollArea {
   signals:
     /// Emitted when the user starts to drag a slider; not for clicks, keys and the wheel.
     void dragStarted();
-    /// Emitted when the user releases the slider.
+    /// Emitted when the user releases a slider.
     void dragEnded();
     /// Emitted when the user asks to import a measured hammer force.
     void importRequested();
-    /// Emitted when the user asks for the value of a parameter, given by its key, that gives a certain
-    /// result.
+    /// Emitted when the user asks which value of a parameter gives a wanted result. `key` names the
+    /// parameter.
     void goalRequested(const QString& key);
     /// Emitted when the user asks to see the sections of the drill string.
     void sectionsRequested();

@@ -21,8 +21,8 @@ class SectionBox : public QWidget {
     bool isOpen() const { return m_content->isVisibleTo(this); }
     void setOpen(bool open);
     enum class Begin { open, folded };
-    /// Stores under a key of the settings whether the section is open, and restores the stored state, by
-    /// default `begin`.
+    /// Opens or folds the section as it was in the last session, by default as `begin` says, and stores its
+    /// state from now on. `key` is its key in the settings.
     void rememberAs(const QString& key, Begin begin = Begin::open);
 
   signals:

@@ -37,7 +37,7 @@ class HelpView : public QTextBrowser {
     QVariant loadResource(int type, const QUrl& name) override;
 
   signals:
-    /// Emitted when another place is shown.
+    /// Emitted when the view shows another place of the manual.
     void placeChanged(const drillwave::ManualPlace& place);
     void zoomChanged(int percent);
 

@@ -29,7 +29,8 @@ class HelpWindow : public QWidget {
     QListWidget& hits() const { return *m_hits; }
     QTreeWidget& contents() const { return *m_contents; }
 
-    /// Shows the place of the last session; returns false if there is none.
+    /// Shows the place in the manual that was shown when the last session ended; returns false if there is
+    /// none.
     bool restorePlace();
 
   protected:

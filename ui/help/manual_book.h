@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Chapter of the manual with its headings as they are shown.
+/// Chapter of the manual, with its headings as the help window shows them.
 struct BookChapter {
     QString name;
     QString title;
@@ -36,7 +36,7 @@ class ManualBook {
     const QList<BookChapter>& chapters() const { return m_chapters; }
     /// Returns the chapter of that name, or nullptr if there is none.
     const BookChapter* find(const QString& name) const;
-    /// Returns true if the chapter exists and has that heading or equation.
+    /// Returns true if the manual has the chapter of `place` and, in it, the heading or equation of `place`.
     bool has(const ManualPlace& place) const;
     /// Appends Markdown to the chapter `name`; does nothing without such a chapter.
     void append(const QString& name, const QString& markdown);

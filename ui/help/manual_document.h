@@ -20,11 +20,12 @@ struct ManualLink {
     ManualPlace to;
 };
 
-/// Returns the links in a line of a chapter, in order. Only references to existing places become links.
+/// Returns the parts of a line of the manual that become links, in order. They are references such as "theory
+/// §3" and names of parameters. Only references to existing places become links.
 QList<ManualLink> linksIn(const QString& line, const QString& chapter, const ManualBook& book);
 
-/// Returns the place in the manual that describes a word set as code: a parameter, an output, a command or a
-/// page. The chapter is empty for other code.
+/// Returns the place in the manual that describes a word in code font: a parameter, an output, a command or a
+/// page. The chapter is empty for other words.
 ManualPlace placeOfCode(const QString& code, const ManualBook& book);
 
 /// Colours of the manual that QPalette does not provide.

@@ -23,8 +23,8 @@ struct ManualHit {
 /// Returns the words of a search text; words between quotes count as one.
 QStringList soughtWords(const QString& typed);
 
-/// Returns short English texts of the window whose translation contains these words, the shortest translation
-/// first. They find chapters that exist only in English. Empty if `words` is empty.
+/// Returns short English texts of the window whose translation contains `words`, the shortest translation
+/// first. With them a search finds chapters that exist only in English. Empty if `words` is empty.
 QStringList englishOf(const QString& words, const Language& language);
 
 /// Index of all sections of the manual as plain text.

@@ -26,13 +26,13 @@ class Page : public QWidget {
 
     /// Returns the title of the page's tab.
     virtual QString title() const = 0;
-    /// Returns whether the page has something to show for a scenario. If not, it cannot be chosen and gets no
-    /// requests; it has no tab if elsewhere() is not empty.
+    /// Returns whether the page has something to show for a scenario. If not, the user cannot open it and it
+    /// gets no requests. Its tab then stays visible only if elsewhere() is empty.
     virtual bool shows(const Scenario& /*scenario*/) const { return true; }
-    /// Returns why the page does not show the present scenario and where the answer is, in one line. Empty if
-    /// its tab lets the user create a scenario that it can show.
+    /// Returns one line for a page that cannot show the present scenario: the reason, and where the user
+    /// finds the answer. Empty if a click on the page's tab converts the scenario into one that it can show.
     virtual QString elsewhere() const { return {}; }
-    /// Returns whether the window can open the place that elsewhere() names. If so, the user can ask for it,
+    /// Returns whether the window can open the place that elsewhere() names. If so, a button for it is shown,
     /// which emits elsewhereRequested().
     virtual bool leadsElsewhere() const { return false; }
     /// Returns the function that computes the data of this page from a blow; called only while the page is
@@ -40,36 +40,39 @@ class Page : public QWidget {
     virtual PreparePage prepare() const = 0;
     /// Shows a solved blow that was requested by this page or by others.
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
-    /// Returns whether the page can show one blow of a sequence as well as a single blow.
+    /// Returns whether the page can also show a blow taken from a sequence of blows, not only a blow from
+    /// rest.
     virtual bool showsMarched() const { return false; }
     /// Sets axis ranges, or heights of table rows, so that everything on the page is visible.
     virtual void fit() = 0;
-    /// Returns the exports of the page, in the order of the menu.
+    /// Returns the exports of the page (data and pictures that the user can save), in the order of the menu.
     virtual QList<PageExport> exports() const = 0;
-    /// Returns the study that the page runs in addition to the blow, for the status line; nullptr if it runs
-    /// none.
+    /// Returns the study that the page runs besides the blow, whose progress the status line shows; nullptr
+    /// if it runs none.
     virtual StudyActivity* activity() const { return nullptr; }
     /// Adds the results of the page for the present scenario to a report, even if the page is hidden.
     virtual void addTo(ReportStudies& /*studies*/) const {}
-    /// Sets whether the page shows results of the present input. Outdated results cannot be copied.
+    /// Sets whether the results shown belong to the present input. Outdated results cannot be copied.
     virtual void setCurrent(bool current) = 0;
-    /// Shows the blow before a drag faintly while the user drags a value; nullptr when the drag has ended.
+    /// Shows the blow before a drag faintly, for comparison, while the user drags a value; nullptr when the
+    /// drag has ended.
     virtual void setGhost(const SolvedBlowPtr& /*before*/) {}
     /// Sets the pinned runs (results kept for comparison). Called once at first and after every change, even
     /// if the page is hidden.
     virtual void setRuns(const RunListPtr& /*runs*/) {}
 
   signals:
-    /// Reports that the page needs other data than it last requested.
+    /// Reports that the page needs other data of the blow than it requested last.
     void needsChanged();
     /// Reports that title() has changed.
     void titleChanged();
-    /// Reports that the user wants to pin a run for another scenario, which the page shows.
+    /// Reports that the user wants to pin a run (a result kept for comparison) for the scenario `contents`,
+    /// which is not the present one.
     void pinRequested(const drillwave::ScenarioDocument& contents);
     /// Reports that values of the page were taken into the scenario as one undo step. `what` says which, such
     /// as "Feed force set to 9 kN".
     void valuesTaken(const QString& what);
-    /// Reports that the user wants to go to the place that shows the answer; see elsewhere().
+    /// Reports that the user wants to go to the place that elsewhere() names.
     void elsewhereRequested();
     /// Reports that the user wants to save one of the exports.
     void exportRequested(const drillwave::PageExport& wanted);

@@ -28,7 +28,8 @@ struct PageExport {
     /// Suffix of the proposed file name after the scenario's name, such as "_plot"; may be empty.
     QString fileStem;
     std::function<QByteArray()> csv;
-    /// Content that csv() returns: rows to be written below a header with the blow, or a whole file.
+    /// Content that csv() returns: `rows`, which are saved below a header that describes the blow, or
+    /// `wholeFile`, which is saved without a header.
     enum class Content { rows, wholeFile } content = Content::rows;
     /// Function that returns why the export is impossible now; empty if it is possible. May be nullptr, which
     /// means always possible.

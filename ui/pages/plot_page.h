@@ -25,9 +25,11 @@ class PlotPage : public Page {
   protected:
     /// Returns a new button *Fit*, which can shrink to the width of its text. `tip` is its tooltip.
     QPushButton* newFitButton(const QString& tip);
-    /// Creates the plot of the page and returns it. Call it once, in the tab order of the page's widgets.
+    /// Creates the plot of the page and returns it. Call it once, when its turn in the tab order of the
+    /// page's widgets comes.
     PlotWidget* makePlot();
-    /// Sets the frame that draws in the plot, and connects it with style, fitting and keyboard.
+    /// Sets the frame, which draws the contents of the plot. Connects it with the colours of the window, zoom
+    /// to fit and the keyboard. `accessibleName` is what screen readers speak.
     void useFrame(StudyFrame& frame, const QString& accessibleName);
     /// Redraws the plot and updates its description for assistive tools.
     void redraw();

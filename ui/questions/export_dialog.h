@@ -7,7 +7,8 @@
 namespace drillwave {
 
 /// Dialog that asks for a file in one of several formats. A name without an ending gets that of the chosen
-/// filter, "PDF (*.pdf)", or for a filter of all files, that of the suggestion.
+/// filter, such as "pdf" for "PDF (*.pdf)". With a filter of all files it gets the ending of the suggested
+/// name.
 class ExportDialog : public QFileDialog {
     Q_OBJECT
 
@@ -22,8 +23,8 @@ class ExportDialog : public QFileDialog {
 
 // Dialog that asks for a folder to write, which may not exist yet.
 
-/// Dialog that asks for a folder. A folder that does not exist is accepted; it is made when its files are
-/// written.
+/// Dialog that asks for a folder. The user may name a folder that does not exist, and is asked to confirm it.
+/// The caller creates it when the files are written.
 class FolderDialog : public QFileDialog {
     Q_OBJECT
 

@@ -8,8 +8,8 @@ class QWidget;
 
 namespace drillwave {
 
-/// Returns the initial size of a window that is not shown yet: `wanted`, but no larger than its screen, less
-/// a typical frame.
+/// Returns the initial size of a window that is not shown yet. It is `wanted`, but no larger than the screen
+/// minus the edges of a typical window frame.
 QSize firstSize(const QWidget& window, const QSize& wanted);
 
 /// Moves a window that lies outside all screens so that its title can be reached, and makes it no larger than

@@ -24,11 +24,12 @@ struct PictureChoice {
 
     /// Returns the size of a PNG picture [px].
     QSize pixels() const;
-    /// Returns why no such picture can be made; empty if it can.
+    /// Returns why no picture with this format, size and resolution can be made; empty if it can.
     QString problem() const;
 };
 
-/// Returns the last choice made, or a default for a picture with this ratio of width to height.
+/// Returns format, size and resolution that the user chose last. Before the first choice it returns a default
+/// for a picture with this ratio of width to height.
 PictureChoice rememberedPictureChoice(double aspectRatio);
 void remember(const PictureChoice& choice);
 

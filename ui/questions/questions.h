@@ -45,7 +45,8 @@ class Questions {
     /// Asks for a printer and its settings, and returns it; nullptr if the user cancels. `title` is the
     /// document's name.
     virtual std::unique_ptr<QPrinter> printer(QWidget* parent, const QString& title) = 0;
-    /// Asks for a folder for several files and returns its path; empty if the user cancels.
+    /// Asks for a folder into which several files will be written, and returns its path; empty if the user
+    /// cancels.
     virtual QString folderToExport(QWidget* parent, const QString& suggestion) = 0;
     /// Asks for format, size and resolution of a picture; nothing if the user cancels. `before` is the
     /// initial choice.
@@ -58,13 +59,13 @@ class Questions {
     virtual Recovery recover(QWidget* parent, const QString& name, const QString& details) = 0;
     /// Asks whether to close the window and open it again now with all its contents, and returns true if so.
     virtual bool restartNow(QWidget* parent, const QString& question, const QString& details) = 0;
-    /// Shows a failure or information without waiting for the user.
+    /// Shows a message (information or failure) without waiting for the user.
     virtual void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) = 0;
 };
 
-/// Questions asked by dialogs. On a platform without a screen every question is answered by "cancel" or
-/// "later". The window may still be closed there, which discards unsaved changes. Messages are printed to
-/// stderr.
+/// Questions asked by dialogs. On a platform without a screen nothing is asked. Then unsaved changes are
+/// discarded, closing is confirmed, and every other question is answered by "cancel" or "later". Messages are
+/// printed to stderr.
 class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;

@@ -17,7 +17,8 @@ class UnitChoice;
 
 /// Returns the language chosen by the user; nullptr for that of the system.
 const Language* chosenLanguage();
-/// Stores the language of windows opened from now on; nullptr for that of the system.
+/// Stores the language that the user has chosen, for windows opened from now on. nullptr means the language
+/// of the system.
 void chooseLanguage(const Language* language);
 
 /// Returns the first of the `wanted` languages ("de-AT", "sv", "C", as in QLocale::uiLanguages()) for which
@@ -52,7 +53,8 @@ class Catalogue : public QTranslator {
 
 /// Sets the language of the application's texts, and of Qt's own texts if their translation is installed.
 void speak(const Language& language);
-/// Returns the language set by speak(); English before, and while an object of type EnglishTexts exists.
+/// Returns the language set by speak(). It is English before the first call, and while an object of type
+/// EnglishTexts exists.
 const Language& spokenLanguage();
 
 // Sentences and tables of the core library in the language, number format and units of the window.

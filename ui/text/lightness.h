@@ -15,8 +15,8 @@ inline bool isDark(const QColor& ground) {
 
 // Appearance of a warning text.
 
-/// Shows a label in bold and in a warning colour that suits the palette, or in the normal style. Colour is
-/// not enough: the words must also express the warning.
+/// Shows a label in bold and in a warning colour if `warning`, otherwise in the normal style. Its text must
+/// express the warning too, because not every user sees the colour.
 void setWarning(QLabel& label, bool warning);
 
 }  // namespace drillwave

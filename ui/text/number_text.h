@@ -24,13 +24,13 @@ QString numberText(double value, int digits, const QLocale& locale);
 /// Returns the `text` of a number with "+" added in front if `value` is positive.
 QString withSign(double value, const QString& text);
 
-/// Returns a share of 1 in per cent with `digits` significant digits: "12.3 %" for 0.123.
+/// Returns a fraction in per cent with `digits` significant digits: "12.3 %" for 0.123.
 QString percentText(double share, int digits, const QLocale& locale);
 
 /// Returns the order of magnitude of a value with one digit, "3·10⁻¹⁵"; "0" for zero.
 QString magnitudeText(double value, const QLocale& locale);
 
-/// Returns a bound ≥ 0 rounded up to one digit: "4·10⁻¹⁵" for 3.2e-15.
+/// Returns an upper limit ≥ 0, such as that of an error, rounded up to one digit: "4·10⁻¹⁵" for 3.2e-15.
 QString boundText(double bound, const QLocale& locale);
 
 /// Returns a dimensionless value converted to `unit`, or to a unit with a more suitable prefix: "187.3 kN",

@@ -6,7 +6,8 @@
 
 namespace drillwave {
 
-/// Stored settings of the program, independent of the application's name in Qt.
+/// Settings of the program, stored between sessions. Their place does not depend on the application's name in
+/// Qt.
 class Settings : public QSettings {
   public:
     Settings()

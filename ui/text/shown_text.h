@@ -17,8 +17,8 @@ class ScenarioError;
 
 // Translation of texts in functions that belong to no QObject.
 
-/// Returns a text in the language of the program, from the catalogue's context `drillwave`; QObject::tr()
-/// does this for classes.
+/// Returns the translation of a text, for functions that belong to no class with QObject::tr(). The catalogue
+/// lists such texts in the context `drillwave`.
 QString tr(const char* text);
 
 /// Returns UTF-8 text as a QString.
@@ -31,7 +31,7 @@ QString withoutMarkup(const QString& text);
 /// Returns a text with the signs that terminals may lack: "f I₀ ± φ" for "f I0 +- phi".
 QString withSigns(QString text);
 
-/// Returns the pattern of a Message in the language of the window.
+/// Returns the translation of the pattern of a Message, which is a sentence with placeholders such as "%1".
 std::string translatedPattern(const std::string& pattern);
 
 /// Returns a message of the core library in the language of the window.
@@ -44,7 +44,7 @@ QString translatedAll(const std::vector<Message>& sentences);
 /// Returns the errors of a file or of values in the language of the window, one per line.
 QString translated(const ScenarioError& error);
 
-/// Returns a symbol with its index: "t₀" for "t0".
+/// Returns a symbol with its index as a subscript: "t₀" for "t0".
 QString shownSymbol(std::string_view symbol);
 
 // Texts from the tables of the core library in the language of the window.
@@ -59,13 +59,14 @@ QString coreName(std::string_view name);
 /// Returns the label of a parameter: "stiffness", "length of hammer section 1", "force of corner 2".
 QString parameterLabel(const Parameter& parameter);
 
-/// Returns the label of a parameter, with a section named as in the tables of its scenario: "length of 2nd
-/// rod".
+/// Returns the label of a parameter. If it belongs to a section, the label contains the name of that section
+/// in the scenario: "length of 2nd rod".
 QString parameterLabel(const Parameter& parameter, const Scenario& scenario);
 
 /// Returns label and symbol of a parameter, "stiffness k".
 QString parameterTitle(const Parameter& parameter);
-/// Returns label and symbol of a parameter, or for a section only its label: "length of 2nd rod".
+/// Returns label and symbol of a parameter. For a parameter of a section it returns only the label: "length
+/// of 2nd rod".
 QString parameterTitle(const Parameter& parameter, const Scenario& scenario);
 
 /// Returns a message in which keys of parameters are replaced by their titles, as in the form.

@@ -19,8 +19,8 @@ struct ShownUnit {
     double factor = 1;
     QString unit;                ///< name of the unit, "kN" or "t₀"
     bool dimensionless = false;  ///< true if `unit` is a scale of the blow, such as t₀
-    /// Data for replacing the prefix of the unit, where a single value is shown: the unit, its kind and its
-    /// system. Nothing if the user has chosen the unit.
+    /// Data for choosing another prefix when a single value is shown, such as N instead of kN: kind, system
+    /// and unit. Empty if the user has chosen the unit.
     struct Prefixes {
         UnitKind kind;
         UnitSystem system;
@@ -30,15 +30,16 @@ struct ShownUnit {
     std::optional<Prefixes> prefixes = {};
     bool operator==(const ShownUnit&) const = default;
 
-    /// Returns the label of an axis: "time t [ms]" or "time t / t₀"; only `words` if there is no unit.
+    /// Returns the label of an axis, made of `words` and the unit: "time t [ms]" or "time t / t₀". It is only
+    /// `words` if there is no unit.
     QString axisLabel(const QString& words) const;
 };
 
-/// Returns a unit for values in SI: shown value = SI value · factor.
+/// Returns a unit with the factor that converts from SI: shown value = SI value · factor.
 ShownUnit shownUnit(const Unit& unit);
 
-/// Returns the unit with the prefix in which `value`, before multiplication by the factor, is best read:
-/// 36.06 N instead of 0.03606 kN. A value from 1 to below 10⁴ in `unit` stays in it.
+/// Returns the unit with the prefix that suits `value`, which is not yet multiplied by the factor: 36.06 N
+/// instead of 0.03606 kN. If the shown value is 0.1 to below 10⁴, it returns `unit`.
 ShownUnit readable(const ShownUnit& unit, double value);
 
 /// Units of all values that are plotted or listed for one blow.
@@ -56,13 +57,14 @@ struct ShownUnits {
     ChosenUnits chosen = {};
     bool operator==(const ShownUnits&) const = default;
 
-    /// Returns the unit for values in SI of about the magnitude `size` that have no dimensionless form, such
-    /// as feed forces.
+    /// Returns the unit for a quantity without a dimensionless form, such as a feed force. Its values are in
+    /// SI; `size` is their typical magnitude, which decides the prefix.
     ShownUnit of(UnitKind kind, double size) const;
 };
 
-/// Returns the units of a blow. Prefixes depend on the scales, not on the results, so that they do not change
-/// while a value is dragged. `chosen` are units for single kinds, which override `units`.
+/// Returns the units in which the results of a blow are shown. Prefixes depend on the scales, not on the
+/// results, so that they do not change while a value is dragged. `chosen` are units for single kinds, which
+/// override `units`.
 ShownUnits shownUnits(UnitSystem units, const Scales& scales, const ChosenUnits& chosen = {});
 
 }  // namespace drillwave

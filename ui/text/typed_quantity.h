@@ -22,7 +22,8 @@ inline constexpr qsizetype longestArithmetic = 100;
 TypedQuantity typedQuantity(const QString& typed, Quantity quantity, const Unit& defaultUnit,
                             const QLocale& locale);
 
-/// Returns the unit with that spelling, or nullptr. "mn/m" gives nullptr: it could mean milli or mega.
+/// Returns the unit that a user means by `spelling`. It is nullptr if there is none, or if the spelling is
+/// ambiguous: "mn/m" could mean milli or mega.
 const Unit* typedUnit(const QString& spelling, Quantity quantity);
 
 }  // namespace drillwave

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// Text prepared for parseQuantity(), or the reason why its number cannot be read.
+/// Typed text in a form that parseQuantity() reads, or the reason why its number cannot be read.
 struct PlainText {
     QString text;
     QString problem;
@@ -36,7 +36,7 @@ LeadingNumber leadingNumber(QStringView text, const QLocale& locale);
 /// Returns a text without direction marks, soft hyphens and blanks of no width, which copied text may have.
 QString withoutInvisible(QString text);
 
-/// Returns a number in C format with the locale's decimal sign.
+/// Returns a number in C format ("3.2") with the decimal sign of the locale ("3,2").
 QString localText(const QString& plain, const QLocale& locale);
 
 /// Returns the name of a unit as shown: "µs" for "us", "mm²" for "mm^2".
@@ -44,7 +44,8 @@ QString shownUnitName(std::string_view name);
 
 // Quantity as an input field shows it: all digits of a short number, six of a long one.
 
-/// Returns a value, given in SI, in `unit` but without the unit's name.
+/// Returns the text of an input field: a value, given in SI, converted to `unit`. The unit's name is left
+/// out.
 QString fieldText(double si, Quantity quantity, const Unit& unit, const QLocale& locale);
 
 }  // namespace drillwave

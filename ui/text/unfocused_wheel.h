@@ -6,8 +6,8 @@ class QWidget;
 
 namespace drillwave {
 
-/// Makes a field without focus pass wheel events to its parent widget. The wheel then does not give the field
-/// the focus.
+/// Makes a field without focus pass wheel events to its parent widget, without taking the focus. So scrolling
+/// a form with the wheel does not change its values.
 void ignoreUnfocusedWheel(QWidget& field);
 
 }  // namespace drillwave

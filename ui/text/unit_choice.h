@@ -15,7 +15,7 @@ class UnitChoice : public QObject {
     Q_OBJECT
 
   public:
-    /// Reads the units stored last.
+    /// Reads the units that the user chose in the last session.
     UnitChoice();
 
     /// Returns the system of units for results and plots.
@@ -23,7 +23,8 @@ class UnitChoice : public QObject {
     /// Returns the system of units for input fields, SI or US; fields show physical values even if results
     /// are dimensionless.
     UnitSystem physicalSystem() const { return m_physical; }
-    /// Returns the units of the kinds that have one of their own, which overrides the system.
+    /// Returns the units that the user has chosen for single kinds of quantity; they override the system of
+    /// units.
     const ChosenUnits& chosen() const { return m_chosen; }
     /// Returns the unit in which the input field of a parameter shows its value.
     const Unit& fieldUnit(const Parameter& parameter) const;
@@ -32,16 +33,17 @@ class UnitChoice : public QObject {
     const Unit& unitFor(UnitKind kind, double size) const;
     /// Returns a value, given in SI, in the unit that suits it: "200 µs", "57.3 kip".
     QString text(double si, UnitKind kind, int digits = 3) const;
-    /// Returns a bound ≥ 0, given in SI, with its unit, rounded up.
+    /// Returns an upper limit ≥ 0, given in SI, as text with its unit. It is rounded up, so that it remains
+    /// an upper limit.
     QString boundText(double si, UnitKind kind) const;
 
-    /// Sets the system of units for all kinds that have no unit of their own. Physical systems also reset the
-    /// units of single fields.
+    /// Sets the system of units (SI, US or dimensionless) for all kinds of quantity without a unit chosen by
+    /// the user. SI and US also reset the units chosen for single input fields.
     void choose(UnitSystem system);
     /// Sets the unit of a kind, and resets the units of single fields of this kind. nullptr restores the unit
     /// of the system.
     void choose(UnitKind kind, const Unit* unit);
-    /// Sets the unit of one parameter's field in every scenario, without emitting changed().
+    /// Sets the unit of the input field of one parameter, also for other scenarios. Emits no changed().
     void chooseForField(const Parameter& parameter, const Unit& unit);
 
   signals:

@@ -14,7 +14,7 @@ namespace drillwave {
 enum class UnitSystem { dimensionless, si, us };
 
 /// Kind of quantity for which a unit can be chosen. It is finer than Quantity: rod lengths are in metres,
-/// penetrations in millimetres.
+/// penetrations in millimetres, although both are lengths.
 enum class UnitKind {
     length,
     penetration,  ///< penetrations and other small lengths: diameters, gaps
@@ -37,7 +37,8 @@ enum class UnitKind {
     damping,
 };
 
-/// Units chosen for single kinds; kinds without an entry have the units of the system.
+/// Units that the user has chosen for single kinds of quantity. Kinds without an entry have the units of the
+/// system, such as SI.
 using ChosenUnits = std::map<UnitKind, const Unit*>;
 
 struct UnitKindRow {
@@ -51,7 +52,7 @@ struct UnitKindRow {
     std::span<const std::string_view> us;
 };
 
-/// Returns all kinds with their units, in the order of a menu.
+/// Returns all kinds of quantity with their units, in the order in which a menu lists them.
 std::span<const UnitKindRow> unitKinds();
 const UnitKindRow& rowOf(UnitKind kind);
 

@@ -16,7 +16,8 @@ namespace drillwave {
 
 class FigureFrame;
 
-/// Study that the page runs: accuracy of this scenario, or stability in the hardest scenarios.
+/// Study that the page Accuracy runs: accuracy of the present scenario, or stability in the hardest
+/// scenarios.
 enum class Proof { accuracy, stability };
 
 /// Request for a study of the program's own accuracy or stability. A repeated request counts as new, so that
@@ -24,13 +25,13 @@ enum class Proof { accuracy, stability };
 struct ProofQuestion {
     Proof proof = Proof::accuracy;
     Scenario scenario;  ///< scenario of the accuracy study; the stability study has its own
-    /// Number of the request, so that equal requests differ.
+    /// Number of the request, so that two requests for the same study differ.
     int run = 0;
     bool operator==(const ProofQuestion&) const = default;
 };
 
-/// Page that studies the errors of the computation. Only a button starts a study; the result of another
-/// scenario is not shown.
+/// Page that checks the errors of the computation. A study starts only by a button. A result that belongs to
+/// another scenario is not shown.
 class AccuracyPage : public StudyPage {
     Q_OBJECT
 
@@ -39,7 +40,7 @@ class AccuracyPage : public StudyPage {
 
     QString title() const override { return tr("Accuracy"); }
     QString command() const override;
-    /// Returns the number of studies that were started.
+    /// Returns how many studies the page has started, for tests.
     int studies() const { return m_study.started(); }
 
   protected:

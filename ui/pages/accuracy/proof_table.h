@@ -8,7 +8,8 @@
 
 namespace drillwave {
 
-/// Table model of a study's table. The first column holds the titles of the rows.
+/// Table model for the table of an accuracy or stability study. Its first column holds the titles of the
+/// rows.
 class ProofTable : public QAbstractTableModel {
     Q_OBJECT
 

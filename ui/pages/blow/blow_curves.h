@@ -28,8 +28,8 @@ struct BlowCurves {
     /// bit.
     std::array<GraphData, 2> laterWaves;
     GraphData sectionForce;  ///< N at the section, the sum of all waves, up to timeEnd
-    /// Place of the section in a drill string; empty for a uniform rod. In a drill string the first two waves
-    /// are Np and Nn, and there are no others.
+    /// Observed position in a drill string; empty for a uniform rod. In a drill string the first two waves
+    /// are the sums of all waves towards the bit (Np) and from it (Nn). The others are empty.
     std::optional<StringPlace> place;
     /// Name of the observed section of a drill string, such as "2nd rod" or "hammer 1".
     QString sectionWords;
@@ -47,7 +47,8 @@ struct BlowCurves {
     std::vector<RunOverlay<BlowCurves>> runs = {};  ///< curves of pinned runs (results kept for comparison)
 };
 
-/// Returns the curves of a blow. The curves are empty if the blow was solved without time histories.
+/// Returns the curves of a blow, with the waves at the position x/L = `section`. They are empty if the blow
+/// was solved without time histories.
 BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail = Tail::kept);
 
 }  // namespace drillwave

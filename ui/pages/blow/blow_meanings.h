@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Meanings (units and exact functions) of the curves in BlowPlots. Forces have exact values and integrals;
-/// integrals are shown as impulses ("N s", "I₀"). Impulse and momentum have exact values only. The functions
-/// share ownership of the blow, so that they stay valid.
+/// Units and exact functions of the curves in BlowPlots, from which the cursors read values. Forces have
+/// exact values and integrals; integrals are shown as impulses ("N s", "I₀"). Impulse and momentum have exact
+/// values only. The functions share ownership of the blow, so that they stay valid.
 struct BlowMeanings {
     std::array<CurveMeaning, BlowCurves::waveCount> waves;
     std::array<CurveMeaning, 2> laterWaves;
@@ -24,11 +24,12 @@ struct BlowMeanings {
     CurveMeaning momentum;
 };
 
-/// Returns the meaning of a measured or approximate force over time, with units but without exact functions.
+/// Returns the units of a curve of force over time, such as a measured or approximate one. It has no exact
+/// function; the cursors read its drawn points.
 CurveMeaning forceMeaning(const ShownUnits& units);
 
-/// Returns the meanings (units and exact functions) of the curves of a solved blow. Requires that the blow
-/// contains page data of type BlowCurves.
+/// Returns, for each curve of a solved blow, its units and its exact function, which the cursors read.
+/// Requires that the blow contains page data of type BlowCurves.
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow);
 
 }  // namespace drillwave

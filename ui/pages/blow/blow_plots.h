@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Four plots of a blow, one above the other, with linked time axes. Fitting brings all curves into view.
+/// Four plots of a blow, one above the other, with linked time axes. Zoom to fit shows all curves.
 class BlowPlots : public StudyFrame {
     Q_OBJECT
 
@@ -19,20 +19,22 @@ class BlowPlots : public StudyFrame {
 
     explicit BlowPlots(QCustomPlot* plot);
 
-    /// Shows the curves of a blow. The present zoom is kept, unless the view was fitted or the units changed.
+    /// Shows the curves of a blow. A zoom by the user is kept if the units are the same; otherwise all curves
+    /// are brought into view.
     void present(const BlowCurves& curves);
-    /// Shows the curves of an earlier blow faintly and without legend entries; nullptr removes them.
+    /// Shows the curves of an earlier blow faintly, for comparison, without legend entries; nullptr removes
+    /// them.
     void setGhost(const BlowCurves* before);
-    /// Plot that an additional curve belongs to.
+    /// Plot to which addOverlay() adds a curve.
     enum class Kind { waves, impactForce };
-    /// Adds a curve to the plot of a kind and its legend; it is included in fitting. Returns the curve, for
-    /// which the caller sets data and pen. See removeOverlay().
+    /// Adds a curve, such as a measured signal, to the plot of this kind and to its legend. Zoom to fit
+    /// includes it. Returns the curve, for which the caller sets data and pen. See removeOverlay().
     QCPGraph* addOverlay(Kind kind, const QString& name);
-    /// Removes a curve of addOverlay() from its plot.
+    /// Removes a curve that addOverlay() has returned from its plot.
     void removeOverlay(QCPGraph* overlay);
     /// Returns a text for the place in a drill string where the waves are observed.
     static QString placeText(const BlowCurves& curves, const QLocale& locale);
-    /// Names curves and axes in the present language.
+    /// Sets the names of curves and axes in the present language.
     void name();
     /// Returns the number of rows of all legends together; a legend without entries counts as one row.
     int legendRows() const;
@@ -40,14 +42,15 @@ class BlowPlots : public StudyFrame {
     /// Returns the graph of the normal force N at the observed position of the rod, which is the sum of all
     /// waves there.
     QCPGraph* sectionForceGraph() const { return m_plots[0].graphs.first(); }
-    /// Returns the graph of wave number 0 … 3: N0p, N1n, N2p, N3n.
+    /// Returns the graph of wave `number` (0 … 3): N0p, N1n, N2p, N3n. Waves p run towards the bit, waves n
+    /// from it.
     QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[1 + number]; }
-    /// Returns the graph of the sum of all later waves towards the bit (0) or from it (1). It has a legend
-    /// entry only if such waves exist.
+    /// Returns the graph of the sum of all waves after N3n, towards the bit (`heading` 0) or from it (1). It
+    /// has a legend entry only if such waves exist.
     QCPGraph* laterGraph(int heading) const { return m_plots[0].graphs[1 + BlowCurves::waveCount + heading]; }
     QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
-    /// Returns the graph of the closed form of the impact force. It has a legend entry only if the closed
-    /// form is valid.
+    /// Returns the graph of the impact force from the closed form (analytical solution). It has a legend
+    /// entry only if the closed form is valid.
     QCPGraph* closedFormGraph() const { return m_plots[1].graphs[1]; }
     /// Returns the graph of the force between hammer and drill string.
     QCPGraph* faceForceGraph() const { return m_plots[1].graphs[2]; }

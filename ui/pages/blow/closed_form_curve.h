@@ -9,7 +9,8 @@
 
 namespace drillwave {
 
-/// Impact force over time by the closed form [paper (11)] [paper (12)] [paper (14)], in the units shown.
+/// Impact force over time by the closed form (analytical solution) [paper (11)] [paper (12)] [paper (14)], in
+/// the units shown.
 struct ClosedFormCurve {
     GraphData force;
     double error = 0;  ///< bound on the error of the coefficient of restitution of the closed form

@@ -27,10 +27,11 @@ class MeasuredBar : public QWidget {
 
     /// Takes the colours of the measured curves from the style of the plots, for the icons in the list.
     void setStyle(const PlotStyle& style);
-    /// Sets whether the signals can be drawn, which needs a scenario in physical units. If not, a remark says
-    /// so.
+    /// Sets whether measured and computed curves can be compared, which needs a scenario in physical units.
+    /// If not, the row says that the signals are not drawn.
     void setComparable(bool comparable);
-    /// Shows the deviation of the chosen signal from the computed curve; hidden if `text` is empty.
+    /// Shows `text`, which states how far the chosen measured signal deviates from the computed curve; hidden
+    /// if `text` is empty.
     void setMisfit(const QString& text);
     /// Returns the index (from 0) of the chosen signal in the list; 0 if the list is empty.
     std::size_t chosen() const;

@@ -25,7 +25,7 @@ class MeasuredCurves : public QObject {
     void present(const std::vector<MeasuredSignal>& measured, const Scenario& scenario,
                  const ShownUnits& units);
     void setStyle(const PlotStyle& style);
-    /// Returns the graphs of the signals, in the order of the signals.
+    /// Returns the graphs of the measured signals, in the order of the signals.
     const QVector<QCPGraph*>& graphs() const { return m_graphs; }
 
     /// Returns the pen of measured signal `index` (from 0). The first four differ in colour and dashes.

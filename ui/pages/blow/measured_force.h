@@ -18,8 +18,8 @@ struct ComputedForce {
     double end;
 };
 
-/// Returns x/L of a place at x [m] from the struck end, negative in the hammer. Values beyond hammer or bit
-/// are clamped.
+/// Returns the position x/L for a distance x [m] from the struck end; both are negative in the hammer.
+/// Positions beyond hammer or bit are limited to their ends.
 double shareAt(const Scenario& scenario, double x);
 
 /// Returns the computed force to compare with a signal: N at the place of the signal, or the impact force. It

@@ -19,7 +19,8 @@ class QTableView;
 
 namespace drillwave {
 
-/// Page that shows the present result and the pinned runs as columns of one table.
+/// Page that shows the present result and the pinned runs (results kept for comparison) as columns of one
+/// table.
 class ComparePage : public Page {
     Q_OBJECT
 
@@ -28,7 +29,8 @@ class ComparePage : public Page {
     ComparePage(Runs& runs, const UnitChoice& units, QWidget* parent = nullptr);
 
     QString title() const override;
-    /// Returns no function: the page needs only the blow itself, whatever the kind of its scenario.
+    /// Returns no function, because this page needs no data besides the blow, whatever the kind of its
+    /// scenario.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override;

@@ -37,16 +37,16 @@ class CurvePage : public StudyPage {
 
     QString title() const override;
     FigureFrame& figureFrame() const { return *m_frame; }
-    /// Returns the figure that is shown; nothing before the first answer of the study, and while it shows an
-    /// error.
+    /// Returns the figure that is shown. Empty before the first result of the study, and while an error is
+    /// shown.
     const std::optional<StudyFigure>& figure() const { return m_figure; }
     AxisFields* axis() const { return m_axis; }
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     GoalField* goal() const { return m_goal; }
     const StudyRunner<ComparedCurveQuestion, ComparedCurve>& study() const { return m_study; }
-    /// Plots the result over the gap between bit and rock, from 0 to at least 4 d0 (d0 is the scale of
-    /// penetrations).
+    /// Plots the selected result over the gap between bit and rock. The gap ranges from 0 to at least 4 d0
+    /// (d0 is the scale of penetrations).
     void varyGap();
     /// Plots the result over `parameter`, in a range around its present value, and puts the focus into the
     /// field for the goal. Requires that the parameter can be varied.
@@ -69,7 +69,7 @@ class CurvePage : public StudyPage {
         std::optional<ComparedCurveQuestion> question;
         QString problem;
     };
-    /// Data from which the plot was drawn: the study, its units, and the values that are marked.
+    /// Data from which the plot was drawn. The plot is drawn again only if they change.
     struct Shown {
         std::shared_ptr<const ComparedCurve> study;
         ShownUnits units;
@@ -90,7 +90,8 @@ class CurvePage : public StudyPage {
     Wish wish() const;
     StudyFamily askedFamily() const;
     std::optional<double> hereOf(const KeptParameter& parameter) const;
-    /// Returns the data to be drawn now. Requires that a study and a blow exist.
+    /// Returns the data to draw now; the plot is drawn again if they differ from those drawn before. Requires
+    /// that a study and a blow exist.
     Shown wanted() const;
     void refuse(const QString& problem);
     void draw();
@@ -108,7 +109,8 @@ class CurvePage : public StudyPage {
     QCheckBox* m_own;
     OutputBox* m_output;
     GoalField* m_goal;
-    /// Goal that the user typed last for an output: a value in SI or dimensionless, as the results were then.
+    /// Value that the user typed last as the goal for an output. It is in SI or dimensionless, as `units`
+    /// says.
     struct Goal {
         double value = 0;
         OutputUnits units = OutputUnits::dimensionless;

@@ -19,8 +19,9 @@ class GoalField : public QLineEdit {
 
     /// Returns the goal in SI, or as a plain number for a dimensionless result; nothing without a goal.
     std::optional<double> value() const { return m_value; }
-    /// Shows a goal (in SI) in a unit, which numbers typed without a unit also have. Emits no signal. Text
-    /// being typed stays if value, quantity and unit are the same as before.
+    /// Shows a goal (in SI) converted to `unit`; no value empties the field. Numbers typed without a unit are
+    /// read in `unit`. Emits no signal. Text being typed stays if value, quantity and unit are the same as
+    /// before.
     void present(std::optional<double> value, Quantity quantity, const Unit& unit);
     /// Returns why the text is not a valid goal; empty if it is valid.
     const QString& problem() const { return m_problem; }

@@ -20,7 +20,7 @@ class AimRow : public QWidget {
   public:
     /// Creates a row that begins with `words`, such as "for the".
     AimRow(const QString& words, QWidget* parent);
-    /// Offers the results of the scenario in the list box of the objective.
+    /// Fills the list box of the objective with the results that the scenario has.
     void present(const Scenario& scenario);
     /// Returns the objective that the row shows.
     DesignAim aim() const;
@@ -40,8 +40,8 @@ class AimRow : public QWidget {
     QToolButton* m_remove;
 };
 
-/// List of one to three objectives, of which the first decides. Shows the defaults until the user chooses,
-/// and again if the scenario lacks a chosen result.
+/// Controls for one to three objectives of a design study; the first one decides which design is best. They
+/// show default objectives until the user changes them, and again if the scenario lacks a chosen result.
 class AimRows : public QWidget {
     Q_OBJECT
 
@@ -53,7 +53,8 @@ class AimRows : public QWidget {
     /// Discards the choice, because the next scenario belongs to another document: present() then shows the
     /// defaults.
     void forget() { m_isChosen = false; }
-    /// Returns the objectives in their order; the first decides.
+    /// Returns the objectives of the design study. The first one decides which design is best; the others are
+    /// reported for comparison.
     std::vector<DesignAim> aims() const;
     const std::vector<AimRow*>& rows() const { return m_rows.rows(); }
     void setAims(const std::vector<DesignAim>& aims);

@@ -39,7 +39,7 @@ struct DesignAnswer {
 /// refining when the time limit is reached. The scenario text of the report is empty.
 DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<DesignAnswer>& feed);
 
-/// Returns the values of the uncertain inputs of a worst case. Inputs given as draws (rows of values that
+/// Returns the values of the uncertain inputs in a worst case. Inputs given as draws (rows of values that
 /// belong together) have the values of one row.
 std::vector<ParameterValue> worstInputs(const DesignStudy& study, const WorstCase& worst);
 

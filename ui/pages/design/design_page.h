@@ -30,12 +30,12 @@ class DesignPage : public StudyPage {
     QString title() const override { return tr("Design"); }
     QString command() const override;
     void copyCommand() override;
-    /// Replaces the uncertain inputs by draws: rows of values that belong together, in a table as read by
-    /// `design --draws`. They stay until the user removes them or opens another document. `source` names the
-    /// record that they come from. An invalid table is ignored.
+    /// Replaces the uncertain inputs by draws: a table of samples, as read by `design --draws`. Each row has
+    /// values of all inputs that are possible together. The draws stay until the user removes them or opens
+    /// another document. `source` names the record that they were computed from. An invalid table is ignored.
     void takeDraws(const QString& source, const QByteArray& table);
     void addTo(ReportStudies& studies) const override;
-    /// Returns the number of studies that were started.
+    /// Returns how many studies the page has started, for tests.
     int studies() const { return m_study.started(); }
     FigureFrame& figureFrame() const { return *m_frame; }
     const DesignCard& card() const { return *m_card; }

@@ -16,12 +16,13 @@ namespace drillwave {
 /// Returns the name of an objective, such as "efficiency reached in 95 % of cases".
 QString aimName(const DesignAim& aim);
 
-/// Base class that holds the style, so that the style is constructed before the names that refer to it.
+/// Base class that holds the style of numbers and sentences. It is constructed before the names, which refer
+/// to it.
 struct DesignStyle {
     LocalStyle own;
 };
 
-/// Names, numbers and units of a design study as in the rows, axes and fields of the page.
+/// Names, numbers and units of a design study as the page Design shows them, in rows, axes and fields.
 class DesignUnits : private DesignStyle, public DesignNames {
   public:
     /// Stores a reference to the study, which must outlive the object.
@@ -50,7 +51,8 @@ class DesignUnits : private DesignStyle, public DesignNames {
     /// Returns a text with the value of an output, its error and its unit. `value` and `error` are in the
     /// units of the study.
     QString text(const Output& output, double value, int digits = 4, std::optional<double> error = {}) const;
-    /// Returns the value of an objective for a design with its error and unit.
+    /// Returns the value of an objective that a design reaches, with its error and unit. `design` is the
+    /// index of the design.
     QString aimedText(const DesignReport& report, const DesignAim& aim, std::size_t design) const;
     /// Returns the values of all design variables of a design, such as "240 µs, 3.66 m"; "this scenario" if
     /// nothing is varied.

@@ -24,24 +24,24 @@ class PresetTicks : public QWidget {
     /// Lists the presets that can replace the hammer, the rod or the bit of the scenario. Ticks of presets
     /// that still fit are kept.
     void present(const Scenario& scenario);
-    /// Returns the ticked presets as arguments of the command, one text for each part: "hammer=medium
+    /// Returns the ticked presets as arguments of the command line, one text for each part: "hammer=medium
     /// drifter,COP 1838".
     std::vector<std::string> texts() const;
-    /// Ticks the presets in a text of the form of texts(). Returns false and changes nothing if one of them
-    /// is not offered.
+    /// Ticks the presets named in `text`, such as "hammer=medium drifter,COP 1838". Returns false and changes
+    /// nothing if one of them is not offered.
     bool tick(const std::string& text);
     /// Removes all ticks; emits no changed().
     void clear();
-    /// Returns the parameter keys that the ticked presets set.
+    /// Returns the keys of all parameters whose values the ticked presets set.
     std::vector<std::string> keys() const;
     /// Returns whether a hammer is ticked.
     bool hasHammers() const;
-    /// Returns a function that finds a preset of the program or the user by its name. It must not outlive
-    /// this object.
+    /// Returns a function that finds a preset by its name, among those of the program and of the user. The
+    /// function must not outlive this object.
     PresetLookup lookup() const;
 
   signals:
-    /// Reports that the user has changed the ticks.
+    /// Reports that the user has ticked or unticked a preset.
     void changed();
 
   private:

@@ -21,7 +21,8 @@ class DensityMark;
 class QuantityField;
 class UnitChoice;
 
-/// Use of parameter ranges: for uncertain inputs, or for design variables (`chosen`).
+/// Use of parameter ranges: for uncertain inputs, or for design variables (`chosen`), for which the study
+/// seeks the best values.
 enum class RangeUse { uncertain, chosen };
 
 /// Row for the range of one parameter, with its distribution or with the number of values to try. Invalid
@@ -33,16 +34,16 @@ class RangeRow : public QWidget {
     /// Creates a row. The units must outlive it.
     RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent);
 
-    /// Offers the parameters that apply to the scenario. A newly chosen parameter gets the range from 0.5 to
-    /// 1.5 times its present value.
+    /// Lists the parameters that apply to the scenario. A newly chosen parameter gets the range from 0.5 to
+    /// 1.5 times its present value, or another range if the value is 0.
     void present(const Scenario& scenario);
     const StudyRange& range() const { return m_range; }
     void setRange(const StudyRange& range);
-    /// Returns the range as an argument of the command: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100
-    /// us:400 us:11".
+    /// Returns the range as an argument of the command line: "bit_rock.gamma=0.05:0.3:normal",
+    /// "pulse.duration=100 us:400 us:11".
     std::string text() const;
-    /// Shows the range given as an argument of the command. Returns false and changes nothing if the controls
-    /// cannot show it.
+    /// Shows the range given as an argument of the command line. Returns false and changes nothing if the
+    /// controls cannot show it.
     bool setText(const std::string& text);
     /// Returns why the text of a field is invalid, with the name of the field; empty if all fields are valid.
     QString problem() const;
@@ -88,26 +89,25 @@ class RangeRows : public QWidget {
     RangeRows(RangeUse use, const QString& words, std::size_t least, std::size_t most,
               const UnitChoice& units, QWidget* parent);
 
-    /// Lists the parameters that apply to the scenario, for the user to choose from. The first call proposes
-    /// ranges.
+    /// Lists the parameters of the scenario, for the user to choose from. The first call replaces the rows by
+    /// rows with proposed ranges.
     void present(const Scenario& scenario);
     /// Notes that the next scenario belongs to another document: present() then proposes ranges again.
     void forget() { m_isProposed = false; }
-    /// Returns the ranges as arguments of the command, including those that no row can show.
+    /// Returns the ranges as arguments of the command line, including those that no row can show.
     std::vector<std::string> texts() const;
-    /// Replaces the rows by these arguments of the command. An argument that no row can show is listed as
-    /// text with a button to remove it. Emits no changed().
+    /// Replaces the rows by ranges given as arguments of the command line. An argument that no row can show
+    /// is listed as text with a button to remove it. Emits no changed().
     void setTexts(const std::vector<std::string>& texts);
-    /// Removes rows for one of these parameter keys or a key that sets the same value, and no longer proposes
-    /// these keys. The exclusion lasts until the next call. Returns whether a row was removed; emits no
-    /// changed().
+    /// Removes the rows of these parameters, and of parameters that set the same value by another key. They
+    /// are no longer proposed, until the next call. Returns whether a row was removed; emits no changed().
     bool exclude(std::vector<std::string> keys);
-    /// Returns the first error in a row; empty if all rows are valid.
+    /// Returns the first error message of the rows; empty if all rows are valid.
     QString problem() const;
     const std::vector<RangeRow*>& rows() const { return m_rows.rows(); }
 
   public slots:
-    /// Adds a row with the parameter that is proposed next.
+    /// Adds a row for the next proposed parameter that has no row yet.
     void add();
 
   signals:

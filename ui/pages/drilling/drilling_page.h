@@ -22,7 +22,8 @@ class FigureFrame;
 class MissingFields;
 class SectionBox;
 
-/// Page that computes a sequence of many blows, and scans of such sequences over a parameter.
+/// Page that computes a sequence of many blows, and scans, which compute such a sequence for each value of a
+/// parameter.
 class DrillingPage : public StudyPage {
     Q_OBJECT
 
@@ -36,9 +37,9 @@ class DrillingPage : public StudyPage {
     QList<PageExport> exports() const override;
     QString command() const override;
     void addTo(ReportStudies& studies) const override;
-    /// Returns the number of blow sequences that were started.
+    /// Returns how many blow sequences the page has started, for tests.
     int marches() const { return m_march.started(); }
-    /// Returns the number of scans that were started.
+    /// Returns how many scans (blow sequences over a parameter) the page has started, for tests.
     int scans() const { return m_scan.started(); }
     FigureFrame& figureFrame() const { return *m_frame; }
     /// Returns the blow sequence as far as it is computed; nullptr before the first one.
@@ -47,7 +48,8 @@ class DrillingPage : public StudyPage {
     const StudyActivity& scanActivity() const { return m_scan.job(); }
 
   public slots:
-    /// Starts a scan with the values of the fields, or stops a running scan.
+    /// Starts a scan: a blow sequence for each of several values of a parameter, over the range in the
+    /// fields. Does nothing if a field is invalid.
     void scan();
 
   signals:

@@ -16,18 +16,18 @@
 
 namespace drillwave {
 
-/// Question for one blow sequence. The scenario has no title and no strengths, which do not affect the
-/// answer.
+/// Input of the computation of one blow sequence. Its scenario has no title and no strengths, which do not
+/// affect the result.
 struct DrillingQuestion {
     Scenario scenario;
     DrillingSettings settings;
     bool operator==(const DrillingQuestion&) const = default;
 };
 
-/// Returns the question for a scenario, with the number of blows of windowSettingsOf().
+/// Returns the input for the blow sequence of a scenario. windowSettingsOf() gives its number of blows.
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
-/// Answer for one blow sequence, possibly incomplete.
+/// Result of one blow sequence; incomplete while it is computed, or after a stop.
 struct DrillingAnswer {
     DrillingQuestion question;
     std::vector<Message> refusals;      ///< errors of drillingRefusals(); if not empty, there is no result
@@ -40,21 +40,22 @@ struct DrillingAnswer {
     bool isComplete() const { return result && result->outcome != DrillingOutcome::stopped; }
 };
 
-/// Cache that answers one question after another and keeps the latest answers, so that undo is immediate.
-/// Must not be used on two threads at the same time.
+/// Cache of computed blow sequences, so that undo shows a known result at once. Must not be used on two
+/// threads at the same time.
 class DrillingCache {
   public:
-    /// Largest number of answers that are kept.
+    /// Largest number of sequences that the cache keeps; the one that was not used for the longest time is
+    /// dropped.
     static constexpr std::size_t keptAnswers = 32;
-    /// Returns the answer from the cache, or computes it and reports progress to `feed`.
+    /// Returns the sequence from the cache, or computes it and reports progress to `feed`.
     DrillingAnswer answer(const DrillingQuestion& question, const StudyFeed<DrillingAnswer>& feed);
 
   private:
     std::list<DrillingAnswer> m_known;  // latest first
 };
 
-/// Question for a scan: a blow sequence at each value of a range. The scenario always has the first value of
-/// the range, so that questions with different present values are equal.
+/// Input of a scan: a blow sequence at each value of a range. `scenario` has the first value of the range
+/// instead of the present one. So a change of the present value does not start the same scan again.
 struct DrillingScanQuestion {
     Scenario scenario;
     StudyRange range;
@@ -63,27 +64,32 @@ struct DrillingScanQuestion {
     bool operator==(const DrillingScanQuestion&) const = default;
 };
 
-/// Largest number of values of a scan.
+/// Largest number of parameter values in a scan, which computes one blow sequence for each value.
 inline constexpr std::uint64_t scanPoints = 25;
-/// Damping of the strong damper, as a multiple of the impedance of the first section of the string.
+/// Damping constant of the strong damper in a comparison scan, as a multiple of the impedance of the first
+/// section of the string.
 inline constexpr double strongDashpot = 0.5;
 
-/// Returns the question for a scan over `range`. If `hasBracket`, the scan is repeated with a constant feed
-/// force and with a strong damper.
+/// Returns the input of a scan: a blow sequence at each of several values in `range`. If `hasBracket`, the
+/// scan is repeated with a constant feed force and with a strong damper.
 DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyRange& range, bool hasBracket);
 /// Returns the estimated time of a scan on a typical computer [s].
 double scanSeconds(const DrillingScanQuestion& question);
-/// Returns the scanned range as an argument of the command, with the number of values.
+/// Returns the scanned range with the number of values as an argument of the command line, such as
+/// "drill.thrust=5 kN:20 kN:25".
 std::string scanAxisText(const StudyRange& range);
 
-/// Answer for a scan, possibly incomplete.
+/// Result of a scan (a blow sequence at each value of a parameter); incomplete while it is computed, or after
+/// a stop.
 struct DrillingScanAnswer {
     std::vector<Message> refusals;
     std::shared_ptr<const DrillingScan> scan;
-    /// Scans for comparison; nullptr if not wanted or not possible.
+    /// Scans for comparison, with a constant feed force and with a strong damper at the feed; nullptr if not
+    /// wanted or not possible.
     std::shared_ptr<const DrillingScan> constantForce, strongDamper;
 };
-/// Computes the scans one after another and reports each new value to `feed`. Returns the answer.
+/// Computes the scan and, if requested, the two scans for comparison. Reports each new value to `feed`.
+/// Returns the result.
 DrillingScanAnswer answerDrillingScan(const DrillingScanQuestion& question,
                                       const StudyFeed<DrillingScanAnswer>& feed);
 

@@ -11,14 +11,15 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Table with a row for each quantity of a blow. It is high enough to show all rows.
+/// Table with the statistics of a blow sequence, such as mean, error and median. Each row is one quantity of
+/// the blows. The table is high enough to show all rows.
 class DrillingTable : public QTableWidget {
     Q_OBJECT
 
   public:
     explicit DrillingTable(QWidget* parent = nullptr);
 
-    /// Shows the statistics of a result. Requires a result with statistics.
+    /// Shows the statistics of a blow sequence. Requires a result that has statistics.
     void present(const DrillingResult& result, const UnitChoice& units);
     void clearNumbers();
     QSize sizeHint() const override;

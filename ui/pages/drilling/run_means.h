@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Means over the blow sequence of a pinned run, in SI units.
+/// Mean values over the blow sequence of a pinned run (a result kept for comparison), in SI units.
 struct RunMeans {
     double penetration = 0;  ///< mean penetration of a blow [m]
     double rate = 0;         ///< mean penetration rate [m/s]
@@ -18,8 +18,8 @@ struct RunMeans {
 
 using RunDrilling = RunStudies<DrillingQuestion, RunMeans>;
 
-/// Returns the question for the blow sequence of a pinned run (a result kept for comparison). Its time step
-/// is as coarse as that of a scan.
+/// Returns the input for the blow sequence of a pinned run (a result kept for comparison). Its time step is
+/// coarse, as in a scan, so that it is computed quickly.
 DrillingQuestion runQuestion(const Scenario& scenario);
 
 /// Returns the means of a blow sequence. Nothing if the scenario is refused, or if the machine is pushed back

@@ -19,7 +19,8 @@ class ChoiceBox;
 class QuantityField;
 class UnitChoice;
 
-/// Row of controls for the gauge, and one for a second gauge along the rod.
+/// Controls for one or two strain gauges on the rod: the column of the record with the signal, and the
+/// position of the gauge.
 class GaugeFields : public QWidget {
     Q_OBJECT
 

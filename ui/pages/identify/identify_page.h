@@ -21,9 +21,10 @@ class RecordList;
 class SectionBox;
 
 /// Page that identifies the rock from records of strain gauges. At the top are the records, their gauges and
-/// the known tolerances. Below are the answer, the record with the model, their difference and the rock;
-/// beside them the values with their intervals. Several records are listed; one of them is shown. The line of
-/// the arrival time can be dragged, which moves the gauges along the rod.
+/// the known tolerances. Below are the answer, the record with the model, their difference and the rock.
+/// Beside them are the identified values with their intervals. If there are several records, they are listed
+/// and one of them is shown. The user can drag the line at the arrival time of the reflected wave, which
+/// changes the entered distance of the gauges from the bit.
 class IdentifyPage : public StudyPage {
     Q_OBJECT
 
@@ -35,8 +36,8 @@ class IdentifyPage : public StudyPage {
     QList<PageExport> exports() const override;
     QString command() const override;
 
-    /// Replaces the records by those in the files, in their order along the hole. All tables are read with
-    /// the same settings.
+    /// Replaces the records of strain gauges by those in the files. The paths are in their order along the
+    /// drilled hole. All files are read with the same settings.
     void openRecords(const QStringList& paths, const SignalOptions& settings = {});
     void openRecord(const QString& path, const SignalOptions& settings = {}) {
         openRecords({path}, settings);
@@ -45,7 +46,7 @@ class IdentifyPage : public StudyPage {
     /// already in the list are read again. Requires at least one record.
     void addRecords(const QStringList& paths);
     bool hasRecords() const { return !m_paths.isEmpty(); }
-    /// Returns the number of identifications that were started.
+    /// Returns how many identifications the page has started, for tests.
     int started() const { return m_asked.started(); }
     FigureFrame& figureFrame() const { return *m_frame; }
     GaugeFields& gaugeFields() const { return *m_gauges; }
@@ -53,12 +54,13 @@ class IdentifyPage : public StudyPage {
     IdentifiedRecordPtr answer() const { return m_shown; }
 
   signals:
-    /// Reports that the user wants to choose records.
+    /// Reports that the user wants to choose files with records of strain gauges.
     void recordWanted();
     /// Reports that the user wants to add further records.
     void moreRecordsWanted();
-    /// Reports that the user wants to open the page Design with draws (rows of values that the records
-    /// allow). The identified rock is already in the scenario; `source` names the records.
+    /// Reports that the user wants to use the identified rock as uncertain input of the page Design. `table`
+    /// is CSV; each row has one possible set of rock values. `source` names the records. The scenario already
+    /// has the rock of the best fit.
     void drawsWanted(const QString& source, const QByteArray& table);
 
   protected:

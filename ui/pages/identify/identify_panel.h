@@ -22,18 +22,17 @@ class IdentifyPanel : public QScrollArea {
   public:
     explicit IdentifyPanel(QWidget* parent = nullptr);
 
-    /// Shows the answer for one record, which must not be refused, and the advice for the next blow. Values
-    /// of a rejected fit are grey and have no intervals.
+    /// Shows the rock identified from one record, and the most useful further measurement. Requires a record
+    /// that was not refused. Values of a rejected fit are grey and have no intervals.
     void present(const IdentifyReport& report, const RecordAnswer& answer, const ReadingStyle& style);
     void clear();
 
   signals:
-    /// Reports that the user wants the identified rock in the scenario.
+    /// Reports that the user wants to copy the identified rock into the scenario.
     void useWanted();
     /// Reports that the user wants to pin a run (a result kept for comparison) with the identified rock.
     void pinWanted();
-    /// Reports that the user wants to open the page Design with the draws of the answer (rows of values that
-    /// it allows).
+    /// Reports that the user wants to use the identified rock as uncertain input of the page Design.
     void designWanted();
     /// Reports that the user wants to type a tolerance. `key` is its key in the option `--known`.
     void toleranceWanted(const QString& key);

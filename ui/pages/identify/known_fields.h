@@ -16,15 +16,17 @@ class FlowLayout;
 class QuantityField;
 struct AssumedTolerance;
 
-/// Fields for tolerances (95 %): of the amplifier, of the gauge positions, and of the dimensions of the
-/// sections from the gauge to the bit. An empty field shows the assumed tolerance.
+/// Fields for tolerances (95 %) that the identification of the rock uses. They are those of the amplifier,
+/// the gauge positions, and the dimensions of the sections from gauge to bit. An empty field shows the
+/// assumed tolerance.
 class KnownFields : public QWidget {
     Q_OBJECT
 
   public:
     explicit KnownFields(QWidget* parent = nullptr);
 
-    /// Shows the fields for a gauge at this place. Typed tolerances are kept by their keys.
+    /// Shows the fields for the tolerances that matter if the strain gauge is at `place`. A tolerance that
+    /// was typed earlier appears again with its field.
     void present(const Scenario& scenario, const GaugePlace& place);
     /// Returns the tolerances that the user has typed, for the fields that are shown.
     std::vector<KnownTolerance> known() const;

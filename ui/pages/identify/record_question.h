@@ -15,7 +15,8 @@
 
 namespace drillwave {
 
-/// Question for an identification: records in files, their gauges, and known tolerances.
+/// Input of an identification of the rock: files with records of strain gauges, the gauges, and known
+/// tolerances.
 struct RecordQuestion {
     Scenario scenario;  ///< scenario without the parts that do not affect the answer
     QStringList paths;  ///< paths of the files, in their order along the hole
@@ -26,7 +27,7 @@ struct RecordQuestion {
     std::vector<GaugeChoice> gauges;
     LawChoice law = LawChoice::automatic;
     DispersionChoice dispersion = DispersionChoice::fit;
-    /// Whether the rock is a specimen between two equal long bars.
+    /// Whether the rock is a specimen between two equal long bars. If false, the rock has a rigid support.
     bool barBehind = false;
     /// Whether every blow in a record is evaluated as a record of its own.
     bool allBlows = false;
@@ -34,7 +35,7 @@ struct RecordQuestion {
     bool operator==(const RecordQuestion&) const = default;
 };
 
-/// Answer of an identification with its question.
+/// Answer of an identification of the rock, with the question (records and settings) that it belongs to.
 struct IdentifiedRecord {
     RecordQuestion question;
     IdentifyReport report;
@@ -57,8 +58,8 @@ QStringList recordNames(const QStringList& paths);
 IdentifiedRecordPtr identifiedRecord(const RecordQuestion& question,
                                      const StudyFeed<IdentifiedRecordPtr>& feed);
 
-/// Returns the arguments of the command that gives the same answer: "identify", then its options, without the
-/// scenario file.
+/// Returns the arguments of the command line that gives the same answer: "identify", then its options,
+/// without the scenario file.
 QStringList identifyWords(const RecordQuestion& question);
 
 }  // namespace drillwave

@@ -13,14 +13,14 @@ class LevelField : public QLineEdit {
     Q_OBJECT
 
   public:
-    /// Maximum number of levels, so that contours can be distinguished.
+    /// Largest number of contours, so that they can be distinguished.
     static constexpr std::size_t mostLevels = 12;
 
     explicit LevelField(QWidget* parent = nullptr);
 
     /// Returns the values of the contours, in the units shown; empty for no contours.
     const std::vector<double>& levels() const { return m_levels; }
-    /// Shows these values of contours, in the units shown. Emits no signal.
+    /// Shows the values at which a map has contours, in the units shown. Emits no signal.
     void setLevels(const std::vector<double>& levels);
     /// Returns why the text is not a list of numbers; empty if it is one.
     const QString& problem() const { return m_problem; }

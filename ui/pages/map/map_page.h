@@ -25,9 +25,10 @@ class MapPage : public StudyPage {
 
     QString title() const override { return tr("Map"); }
     FigureFrame& figureFrame() const { return *m_frame; }
-    /// Returns the number of studies that were started.
+    /// Returns how many studies the page has started, for tests.
     int studies() const { return m_study.started(); }
-    /// Returns the map as far as it is computed. It may belong to an earlier question; nullptr at first.
+    /// Returns the map as far as it is computed. It may still be the map of earlier input; nullptr before the
+    /// first one.
     const MapReport* report() const { return m_study.value(); }
 
   protected:

@@ -11,13 +11,13 @@
 
 namespace drillwave {
 
-/// Question for a map: a result over two parameters, with values for contours.
+/// Input of a map: the study of a result over two parameters, with the values of its contours.
 struct MapQuestion {
     MapStudy study;
     std::vector<double> levels;  ///< values of the contours, in the units of the map
     int number = 0;              ///< number of this question on its page
-    /// Number of the page's latest question. A study whose own `number` differs ends early to make way for
-    /// that question; nullptr for none.
+    /// Number of the latest question that the page has asked. The study of an earlier question reads it and
+    /// ends early. nullptr if the study never ends early.
     std::shared_ptr<const std::atomic<int>> newest;
 
     /// Returns whether both questions have the same answer. Title and present values of the two varied
@@ -26,7 +26,7 @@ struct MapQuestion {
 };
 
 /// Returns the map of a question. It shows a first part within about 100 ms even if blows are slow, and
-/// further parts later. A stop returns the points computed so far. Throws nothing.
+/// further parts later. After a stop it returns the points computed so far. Throws nothing.
 MapReport answerMap(const MapQuestion& question, const StudyFeed<MapReport>& feed);
 
 }  // namespace drillwave

@@ -21,13 +21,13 @@ class LoadingLines : public QObject {
   public:
     explicit LoadingLines(QCPAxisRect* rect);
 
-    /// Shows marks and labels for all loading lines except the first one, which has a label of its own. If
-    /// there are too many lines, the marks have no labels.
+    /// Marks where each straight line of the loading curve begins, except the first line, and labels these
+    /// lines with their slopes. If there are too many lines, the marks have no labels.
     void present(const QVector<RockLine>& lines, const QLocale& locale);
     /// Places the labels along their lines in the present view.
     void place();
     void setStyle(const PlotStyle& style);
-    /// Returns the labels, such as "0.35 k".
+    /// Returns the labels, which are slopes as multiples of the stiffness k, such as "0.35 k".
     QStringList texts() const;
 
   private:

@@ -30,7 +30,7 @@ struct RockCurve {
 
     ShownUnits units;
     Path path;  ///< force over penetration; the curve parameter is the global time
-    /// Path as drawn and filled, with a limited number of points.
+    /// Path to draw and fill: `path` with a limited number of points.
     Path outline;
     double peakForce = 0;            ///< largest impact force Fm, in units.force
     double maxPenetration = 0;       ///< largest penetration Um, in units.penetration
@@ -45,12 +45,12 @@ struct RockCurve {
 };
 
 /// Returns the path of a solved blow; empty if it was solved without time histories. Penetration is computed
-/// from the force by ContactLaw::penetration(). While bit and rock are apart, it is the remaining
-/// penetration.
+/// from the force by ContactLaw::penetration(). While bit and rock are apart, it stays at the remaining
+/// penetration of the rock.
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
 
-/// Returns penetration and force at a global time, in the units shown. Before and after the path it returns
-/// the ends of the path.
+/// Returns penetration (x) and force (y) at a time of the blow, in the units shown. Times before or after the
+/// path give its first or last point.
 QPointF rockPoint(const RockCurve& curve, double time);
 
 }  // namespace drillwave

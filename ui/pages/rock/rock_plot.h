@@ -12,23 +12,24 @@ namespace drillwave {
 
 class LoadingLines;
 
-/// Plot of the force–penetration path of a blow, with its area, slopes and extremes labelled. Fitting brings
-/// the whole path into view.
+/// Plot of the force–penetration path of a blow, with its area, slopes and extremes labelled. Zoom to fit
+/// shows the whole path.
 class RockPlot : public StudyFrame {
     Q_OBJECT
 
   public:
     explicit RockPlot(QCustomPlot* plot);
 
-    /// Shows the path of a blow. The present zoom is kept, unless the view was fitted or the units changed.
+    /// Shows the path of a blow. A zoom by the user is kept if the units are the same; otherwise the whole
+    /// path is brought into view.
     void present(const RockCurve& curve);
-    /// Shows the path of an earlier blow faintly; nullptr removes it.
+    /// Shows the path of an earlier blow faintly, for comparison; nullptr removes it.
     void setGhost(const RockCurve* before);
     /// Marks a point of the path, in the units shown, on the overlay layer; empty removes the mark. Does not
     /// replot.
     void setPoint(const std::optional<QPointF>& point);
     QCPCurve* path() const { return m_path; }
-    /// Names curve and axes in the present language.
+    /// Sets the names of curve and axes in the present language.
     void name();
     /// Returns the curves of the pinned runs (results kept for comparison).
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }

@@ -34,32 +34,36 @@ struct RodCurves {
 
     const GraphData& curve(Load line) const { return curves[static_cast<std::size_t>(line)]; }
     const EnvelopeLine& forces(Load line) const { return envelope[line]; }
-    /// Returns the kinds of largest stress that have curves: compression and tension, during the blow and
-    /// after it (residual waves). The latter are missing if a string was not computed beyond the blow.
+    /// Returns the kinds of largest stress that have a curve: compression and tension in the blow, and those
+    /// of the residual waves after it. A drill string that was not computed beyond the blow has only the
+    /// first two.
     std::span<const Load> lines() const {
         const bool hasAfter = !string || !envelope.tensionAfter.empty();
         return std::span(loads).first(hasAfter ? loads.size() : 2);
     }
-    /// Returns the largest force of the kind `line` at position x/L. For a drill string it is a stress, and L
-    /// is the length of the string.
+    /// Returns the largest force of the kind `line` at the position x/L = `section`. For a drill string its
+    /// size is a stress, and L is the length of the string.
     RodForce forceAt(Load line, double section) const;
-    /// Returns x/L of the rear end of rod, or of hammer and string; negative for a hammer.
+    /// Returns the position x/L of the rear end: 0 for a uniform rod; for a drill string that of its hammer,
+    /// negative or 0.
     double rear() const { return string ? string->rear() : 0; }
     const RodForce& largest(Load line) const { return envelope.largest[line]; }
-    /// Returns the stress for a largest force, in the unit shown and positive in tension. The kind `line`
-    /// says whether it is a tension or a compression.
+    /// Returns the stress of one of the largest forces, in the unit shown and positive in tension. `line`
+    /// says whether `force` is a tension or a compression, because its size has no sign.
     double stress(Load line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
-    /// Returns the strength of a section of a string in the displayed unit; `strength` is in Pa.
+    /// Converts a strength of a section from Pa to the unit of the stresses shown; empty if the strength is
+    /// empty.
     std::optional<double> shownStrength(const std::optional<double>& strength) const {
         return strength ? std::optional(*strength * strengthFactor) : std::nullopt;
     }
     double position(const RodForce& force) const { return force.section * units.length.factor; }
 };
 
-/// Returns the largest stresses of a blow. They are empty for strings whose waves were not kept. Rods must
-/// have time histories. A stop ends the work early, with stresses that are too small.
+/// Returns the largest stresses along rod or drill string in a blow. They are empty for drill strings whose
+/// waves were not kept. A uniform rod requires time histories. A stop ends the work early; the stresses are
+/// then too small.
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop = {});
 
 /// Returns a table with position, stress and time for each kind of largest stress, side by side, in the units

@@ -12,9 +12,9 @@
 namespace drillwave {
 
 /// Plot of the largest tension (above zero) and compression (below zero) over the position. Solid curves are
-/// for the blow, dashed ones for the residual waves; the strengths and each extreme are marked. For drill
-/// strings the hammer is at negative positions, joints have lines, and each section its strengths. Fitting
-/// brings into view all curves, and strengths not far from them. A cursor marks a position and the stress
+/// for the blow, dashed ones for the residual waves. The strengths and each extreme are marked. For drill
+/// strings the hammer is at negative positions, joints have lines, and strengths are drawn for each section.
+/// Zoom to fit shows all curves, and strengths not far above them. A cursor marks a position and the stress
 /// there at a chosen time.
 class RodPlot : public StudyFrame {
     Q_OBJECT
@@ -22,19 +22,22 @@ class RodPlot : public StudyFrame {
   public:
     explicit RodPlot(QCustomPlot* plot);
 
-    /// Shows the curves. The present zoom is kept, unless the view was fitted or the units changed.
+    /// Shows the curves. A zoom by the user is kept if the units are the same; otherwise all curves are
+    /// brought into view.
     void present(const RodCurves& curves);
-    /// Shows the curves of an earlier blow faintly and without legend entries; nullptr removes them.
+    /// Shows the curves of an earlier blow faintly, for comparison, without legend entries; nullptr removes
+    /// them.
     void setGhost(const RodCurves* before);
 
-    /// Returns the marked extreme near a point (coordinates of the axes), else the largest stress at its
-    /// position from the nearest curve. Nothing outside the rod.
+    /// Returns the marked extreme near a point (coordinates of the axes). If there is none, returns the
+    /// largest stress at its position from the nearest curve. Empty outside the rod.
     std::optional<RodForce> forceAt(QPointF coordinates) const;
-    /// Returns the places for the keyboard: along the curves, with the marked extremes as targets.
+    /// Returns the points that the keyboard can reach: along the curves. The key N jumps to the marked
+    /// extremes.
     KeyPlaces keyPlaces() const override;
     QCPGraph* graph(Load line) const { return m_graphs[static_cast<std::size_t>(line)]; }
-    /// Returns the curves of the pinned runs, one for each run. Each curve runs along the compression to the
-    /// bit and back along the tension.
+    /// Returns the curves of the pinned runs (results kept for comparison), one for each run. Each curve has
+    /// the largest compression from the rear end to the bit, then the largest tension back.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
   private:

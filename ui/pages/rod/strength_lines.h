@@ -31,18 +31,20 @@ class StrengthLines {
     void addName(QCPItemText* name);
 
     void clear();
-    /// Shows the steps of a drill string; nothing if its waves were not kept.
+    /// Draws the strengths of the sections of a drill string as steps; draws nothing if its waves were not
+    /// kept.
     void showSteps(const RodCurves& curves);
-    /// Shows the label: the strength, or that several strengths differ. Shows also the lines of a uniform
-    /// rod.
+    /// Shows the label of the lines: the strength, or that several strengths differ. For a uniform rod it
+    /// also shows the lines.
     void showName(const RodCurves& curves, const StressText& stress);
     void setStyle(const PlotStyle& style);
 
     /// Returns whether the strength applies to compression as well as tension.
     bool isOfBoth() const { return m_kind == Kind::yield; }
-    /// Returns the label with its possible places along the line; without places if it is hidden.
+    /// Returns the label with the places along the line where it may stand, so that labels do not overlap.
+    /// There are no places if it is hidden.
     PlacedLabel label(const RodCurves& curves) const;
-    /// Returns all strengths in the unit shown.
+    /// Returns all strengths of this kind, in the unit shown.
     std::vector<double> values(const RodCurves& curves) const;
 
   private:

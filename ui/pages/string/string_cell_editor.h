@@ -10,8 +10,8 @@ class Document;
 class QuantityField;
 class StringModel;
 
-/// Delegate that edits cells of the table of sections. Invalid text is marked with its reason while it is
-/// typed, and is never applied.
+/// Delegate that edits cells of the table of drill string sections. Invalid text is marked with its reason
+/// while it is typed, and never changes the scenario.
 class StringCellEditor : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -21,9 +21,9 @@ class StringDrawing : public QWidget {
     /// Creates the drawing. Model and units must outlive it.
     StringDrawing(const StringModel& model, const UnitChoice& units, QWidget* parent = nullptr);
 
-    /// Marks the sections of a row of the table (from 0); −1 marks none.
+    /// Marks the sections that belong to a row of the table (from 0); −1 removes the mark.
     void setRow(int row);
-    /// Returns the index of the section at a point [px], counted from 0 at the rear of the hammer. Nothing
+    /// Returns the index of the section at a point [px], counted from 0 at the rear of the hammer. Empty
     /// outside hammer and string.
     std::optional<std::size_t> sectionAt(QPointF point) const;
     /// Returns the rectangle [px] of a section given by its index, counted from 0 at the rear of the hammer.

@@ -19,7 +19,8 @@ class StringEdits : public QObject {
     Q_OBJECT
 
   public:
-    /// Creates the actions and adds them to the table. Document, model and table must outlive the object.
+    /// Creates the actions on sections, such as add and remove, and adds them to the table. Document, model
+    /// and table must outlive the object.
     StringEdits(Document& document, StringModel& model, QTableView& table);
 
     /// Returns the actions in the order of a tool bar.
@@ -31,9 +32,9 @@ class StringEdits : public QObject {
     /// Adds sections after the selected one. After the last section of a repeat they are added after the
     /// whole repeat; without a selection, at the end. Requires at least one section.
     void add(const std::vector<Section>& sections);
-    /// Adds sections at the end of the string where they belong: adapters at the shank, bits at the rock.
+    /// Adds sections at one end of the drill string: adapters at the shank end, bits at the rock end.
     void addAt(StringEnd end, const std::vector<Section>& sections);
-    /// Replaces the hammer by a preset.
+    /// Replaces the hammer of the drill string by a preset.
     void useHammer(const SectionPreset& piston);
     /// Replaces the selected sections. Requires at least one section.
     void replace(const std::vector<Section>& sections);
@@ -43,10 +44,10 @@ class StringEdits : public QObject {
     /// Moves row `from` to row `to` (from 0) past the rows between. Emits refused() if it would leave the
     /// hammer or the string.
     void moveRow(int from, int to);
-    /// Makes a repeat of the selected rows, or opens the cell with the number of repeats if they are one
-    /// already.
+    /// Turns the selected rows into a repeat (a group of sections that occurs several times) if they can be
+    /// one. Then opens the cell with the number of repeats.
     void repeat();
-    /// Selects the row of a section given by its position in the file.
+    /// Selects the table row of a section. `spot` is the position of the section in the scenario file.
     void select(const SectionSpot& spot);
 
   signals:
@@ -62,15 +63,16 @@ class StringEdits : public QObject {
     void addPresets();
     /// Adds a submenu with this title and returns it.
     static QMenu* newMenu(QMenu& menu, const QString& title);
-    /// Adds a submenu of rod presets that calls `then` with the section of the chosen rod. `length` [m] is
-    /// used for presets without a length.
+    /// Adds a submenu of rod presets. When the user chooses one, `then` is called with it as a section.
+    /// `length` [m] is used for presets without a length.
     void addRods(QMenu& menu, const std::function<void(Section)>& then, std::optional<double> length = {});
     void addPieces(QMenu& menu, SectionPresetKind kind,
                    const std::function<void(const SectionPreset&)>& then);
     void addExamples();
     void addChoice(QMenu& menu, const QString& text, const QString& toolTip,
                    const std::function<void()>& then);
-    /// Returns a function that adds the sections: at `end` of the string, or after the selection without it.
+    /// Returns a function that adds the sections: at `end` of the string, or after the selected rows if `end`
+    /// is empty.
     std::function<void()> adding(std::vector<Section> sections, std::optional<StringEnd> end = {});
     void offer();
     std::vector<SectionSpot> selected() const;

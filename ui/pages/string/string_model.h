@@ -38,23 +38,24 @@ class StringModel : public QAbstractTableModel {
     /// Returns the index of the column that shows a number of the sections, given by its key, such as "area".
     static int columnOf(std::string_view field);
 
-    /// Returns a parameter with the key `field`, such as "bore". Its unit is the unit of that column of the
-    /// table.
+    /// Returns a parameter for the table column with the key `field`, such as "bore". The unit chosen for
+    /// this parameter is the unit of the column.
     static KeptParameter ofColumn(std::string_view field);
 
     /// Creates the model. The document must outlive it.
     explicit StringModel(Document& document, QObject* parent = nullptr);
 
-    /// Returns whether a column is hidden unless it is used or all columns are shown: numbers that few
-    /// sections have, presets, and reflections of joints.
+    /// Returns whether a column is hidden while no section uses it, unless the user shows all columns. These
+    /// are numbers that few sections have, presets, and reflections of joints.
     static bool isOccasional(int column) {
         return column >= presetName || column == massAfter || column == attenuation || column == reflected;
     }
-    /// Returns whether any section has a value other than 0 in an occasional column. False for strengths,
-    /// which are shown only with all columns.
+    /// Returns whether any section has a value other than 0 in this column, so that the column is worth
+    /// showing. False for strengths, which are shown only with all columns.
     bool isUsed(int column) const;
 
-    /// Shows the results of a blow in the last columns; nullptr before the first blow.
+    /// Shows the results of a blow, such as its largest stresses, in the columns for results. `blow` must not
+    /// be nullptr.
     void present(const SolvedBlowPtr& blow);
 
     const std::vector<StringRow>& rows() const { return m_rows; }
@@ -66,7 +67,8 @@ class StringModel : public QAbstractTableModel {
     /// Returns stress, place and time of a peak in the units shown: "362.2 MPa at 0.12 m from its rear end,
     /// 3.28 ms".
     QString peakText(const RowPeak& peak) const;
-    /// Returns the number of a row's section as used in keys: "3", or "H1" in the hammer.
+    /// Returns the header of a row: the number of its section in the string, such as "3", or in the hammer,
+    /// such as "H1".
     QString placeText(int row) const;
     /// Returns the row of a section given by its position in the file; −1 if there is none.
     int rowOf(const SectionSpot& spot) const;
@@ -76,12 +78,12 @@ class StringModel : public QAbstractTableModel {
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// Sets a number (in SI) or a name. An invalid QVariant clears an optional number. Returns whether the
-    /// value was accepted.
+    /// Sets the number (in SI) or the name in a cell. An invalid QVariant clears an optional number. Returns
+    /// whether the value was accepted.
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
   signals:
-    /// Reports why a cell refused its text; empty after an accepted one.
+    /// Reports why a cell refused its text; empty after a text was accepted.
     void refused(const QString& reason);
 
   private:

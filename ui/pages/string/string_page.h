@@ -26,7 +26,7 @@ class StringPage : public Page {
 
     QString title() const override { return tr("String"); }
     bool shows(const Scenario& scenario) const override { return sectionCount(scenario.drillString) > 0; }
-    /// Returns no function: the page needs only the blow itself.
+    /// Returns no function, because this page needs no data besides the blow.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override {}

@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Section as listed in the file. A section in a repeat is listed once for all its copies.
+/// Row of the table of sections: one section of hammer or drill string as in the scenario file. A section in
+/// a repeat has one row for all its copies.
 struct StringRow {
     SectionSpot spot;
     Section section;
@@ -20,7 +21,7 @@ struct StringRow {
     /// Repeat (group of sections that occurs several times) that contains the section.
     struct Repeat {
         int times = 1;
-        /// Index of the section in the repeat, and number of sections in it.
+        /// Index of the section in the repeat (from 0), and number of sections in the repeat.
         std::size_t index = 0, size = 1;
         bool operator==(const Repeat&) const = default;
     };
@@ -34,10 +35,10 @@ struct StringRow {
     /// in hammer or string (from 1).
     const QString& nameAt(std::uint64_t itsPlace) const;
 };
-/// Returns the sections of hammer and string in the order of the file.
+/// Returns the rows of the table of sections: hammer and string in the order of the scenario file.
 std::vector<StringRow> stringRows(const DrillString& drillString);
 
-/// Section in the row of all sections from hammer to bit, with repeats written out.
+/// One of all sections from hammer to bit, in which each copy of a repeated section is listed separately.
 struct ChainSection {
     std::size_t row = 0;      ///< index in stringRows()
     std::uint64_t place = 1;  ///< number of the section in its hammer or string (from 1)
@@ -47,14 +48,14 @@ struct ChainSection {
 /// the result of stringRows().
 std::vector<ChainSection> chainSections(const DrillString& drillString, const std::vector<StringRow>& rows);
 
-/// Largest stress (or reflected energy) of one kind over all copies of a section.
+/// Largest stress (or reflected energy) of one kind, over all copies of a repeated section.
 struct RowPeak {
     double size = 0;            ///< stress [Pa], or share of the hammer energy (0 … 1)
     double place = 0;           ///< distance from the rear end of the section [m]
     double time = 0;            ///< time of the peak [s]
     std::uint64_t section = 1;  ///< number of the copy with the peak, in its hammer or string
 };
-/// Results of a blow for one row of the table.
+/// Results of a blow for one row of the table of sections.
 struct RowResult {
     RowPeak compression, tension, compressionAfter, tensionAfter;
     std::optional<RowPeak> reflected;  ///< energy reflected at the section's front joint; empty in the hammer
@@ -62,13 +63,15 @@ struct RowResult {
     std::uint64_t useSection = 1;      ///< number of the copy that `use` belongs to
 };
 
-/// Results of a solved blow for the rows of the table, and for all sections from hammer to bit.
+/// Results of a solved blow for the table of sections: one entry for each row. Also the stresses of every
+/// section from hammer to bit.
 struct StringResults {
     std::vector<RowResult> rows;
     std::vector<SectionStress> sections;
     double largest = 0;  ///< largest stress of all sections [Pa]
 };
-/// Returns the results of a blow; nothing if it is not solved or belongs to a string with other sections.
+/// Returns the results of a blow for these rows. Empty if the blow is not solved, or if its string has other
+/// sections than `rows`.
 std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::vector<StringRow>& rows,
                                            const std::vector<ChainSection>& chain);
 

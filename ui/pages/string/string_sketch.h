@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Drill string to draw, with the units of the axes: shown value = SI value · factor.
+/// Drill string to draw, with the units of its axes: shown value = SI value · factor.
 struct SketchedString {
     DrillString drillString;
     ShownUnit length;  ///< unit of lengths along the string

@@ -17,23 +17,24 @@ class ChoiceBox;
 class QuantityField;
 class UnitChoice;
 
-/// Controls for the range of a parameter: a list of the parameters of the scenario, fields for both ends, and
-/// linear or logarithmic. Invalid text and equal ends stay in the fields, are marked, and change nothing.
+/// Controls for the range of a parameter: a list of the scenario's parameters, fields for both ends, and a
+/// choice of linear or logarithmic. Invalid text and equal ends stay in the fields, are marked, and change
+/// nothing.
 class AxisFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// Creates the controls with the label `words`, such as "vary". Until the user selects a parameter, the
-    /// first key of `preferred` that applies to the scenario is selected. The units must outlive the object.
+    /// Creates the controls with the label `words`, such as "vary". At first, the first parameter key of
+    /// `preferred` that applies to the scenario is selected. The units must outlive the object.
     AxisFields(const QString& words, std::vector<std::string_view> preferred, const UnitChoice& units,
                QWidget* parent = nullptr, StudyOf of = StudyOf::oneBlow);
 
-    /// Offers the parameters of the scenario. At first, and if the selected parameter no longer applies, it
-    /// selects another one with a range around its value. Emits changed() if the range has changed.
+    /// Lists the parameters of the scenario, for the user to choose from. If none is selected that applies to
+    /// the scenario, it selects one, with a range around its value. Emits changed() if the range has changed.
     void present(const Scenario& scenario);
     /// Returns the range; before the first scenario it has no parameter.
     const StudyRange& range() const { return m_range; }
-    /// Shows a range. Emits changed() if it differs from the present one.
+    /// Shows a range in the fields. Emits changed() if it differs from the present one.
     void setRange(const StudyRange& range);
     /// Returns whether the controls describe a valid range.
     bool isValid() const;

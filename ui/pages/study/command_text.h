@@ -9,8 +9,9 @@
 
 namespace drillwave {
 
-/// Returns the command for a POSIX shell: "drillwave NAME FILE WORDS". A scenario with unsaved changes or
-/// without a file is included as a here-document. The command therefore always studies what the window shows.
+/// Returns the command line for a POSIX shell that runs the study: "drillwave NAME FILE WORDS". A scenario
+/// with unsaved changes or without a file is included as a here-document. So the command always studies what
+/// the window shows.
 QString commandText(const Document& document, const QString& name, const QStringList& words);
 
 /// Returns a word quoted for a POSIX shell if necessary.

@@ -21,16 +21,16 @@ class FamilyFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// Largest number of values, so that the curves can be distinguished.
+    /// Largest number of values, each of which gives one curve, so that the curves can be distinguished.
     static constexpr std::size_t mostValues = 12;
 
-    /// Creates the controls with the label `words`. At first the first family of `preferred` (values in SI)
-    /// whose parameter applies is shown. The units must outlive the object.
+    /// Creates the controls with the label `words`. They first show the first family of `preferred` (values
+    /// in SI) whose parameter applies. The units must outlive the object.
     FamilyFields(const QString& words, std::vector<StudyFamily> preferred, const UnitChoice& units,
                  QWidget* parent = nullptr);
 
-    /// Lists the parameters of the scenario, for the user to choose from. Emits changed() if the family has
-    /// changed.
+    /// Lists the parameters of the scenario. The user chooses the one that differs from curve to curve. Emits
+    /// changed() if the family has changed.
     void present(const Scenario& scenario);
     const StudyFamily& family() const { return m_family; }
     void setFamily(const StudyFamily& family);

@@ -16,8 +16,8 @@ class MissingFields;
 class OptionFields;
 
 /// Page of a study: controls for its options, its sentences and its figure, with the results of pinned runs
-/// drawn over it. A click on the figure can set a parameter. The object name of the page is that of the
-/// study.
+/// (kept for comparison) drawn over it. A click on the figure can set a parameter. The object name of the
+/// page is that of the study.
 class FigurePage : public StudyPage {
     Q_OBJECT
 
@@ -29,9 +29,10 @@ class FigurePage : public StudyPage {
     bool shows(const Scenario& scenario) const override { return m_study.whyNot(scenario).isEmpty(); }
     QString elsewhere() const override;
     bool leadsElsewhere() const override { return m_study.isElsewhereOverGap; }
-    /// Returns the number of studies that were started for the present scenario.
+    /// Returns how many studies the page has started for the present scenario, for tests.
     int studies() const { return m_asked.started(); }
-    /// Returns the number of studies that were started for pinned runs.
+    /// Returns how many studies the page has started for pinned runs (results kept for comparison), for
+    /// tests.
     int runStudies() const { return m_ofRuns.started(); }
     FigureFrame& figureFrame() const { return *m_frame; }
     /// Returns the answer that is shown; nullptr before the first one.

@@ -25,7 +25,7 @@ class FlowLayout : public QLayout {
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return arrange({0, 0, width, 0}, Moving::no); }
     QSize minimumSize() const override;
-    /// Returns the size of all items in a single line.
+    /// Returns the size that the items need in a single line.
     QSize sizeHint() const override;
     void setGeometry(const QRect& area) override;
 

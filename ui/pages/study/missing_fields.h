@@ -16,13 +16,13 @@ namespace drillwave {
 class QuantityField;
 class UnitChoice;
 
-/// Fields for optional parameters. A field is shown while its parameter applies to the scenario but has no
-/// value.
+/// Fields for parameters that a study needs but a scenario may lack. A field is shown while its parameter
+/// applies to the scenario but has no value.
 class MissingFields : public QWidget {
     Q_OBJECT
 
   public:
-    /// Creates a field for each key. The units must outlive the object.
+    /// Creates a field for each parameter key, such as "drill.thrust". The units must outlive the object.
     MissingFields(const std::vector<std::string_view>& keys, const UnitChoice& units,
                   QWidget* parent = nullptr);
 

@@ -25,12 +25,12 @@ class OptionFields : public QObject {
     /// Creates the controls. Study and units must outlive the object.
     OptionFields(const Study& study, const UnitChoice& units, QWidget* page);
 
-    /// Returns the controls in their order, for a row that wraps.
+    /// Returns the controls in their order from left to right. The page places them in a row that wraps.
     const QList<QWidget*>& widgets() const { return m_widgets; }
-    /// Offers the choices of the scenario. Proposes new values if the form of the scenario (uniform rod,
-    /// drill string, dimensionless) has changed.
+    /// Offers the choices that the scenario permits. Proposes new values if the form of the scenario (uniform
+    /// rod, drill string, dimensionless) has changed.
     void present(const Scenario& scenario);
-    /// Returns the options that the controls describe, for the present scenario.
+    /// Returns the options that the controls describe, as values by the key of the option.
     StudyWords words() const;
 
   signals:

@@ -7,12 +7,12 @@
 
 namespace drillwave {
 
-/// Outputs that a study offers. `ofOneBlow` leaves out outputs such as thrust_margin, which need blows at all
-/// gaps for every value.
+/// Outputs that a study offers. `ofOneBlow` leaves out outputs such as thrust_margin. For each value these
+/// need many blows, at all gaps between bit and rock.
 enum class OfferedOutputs { all, ofOneBlow };
 
-/// List of the outputs of a scenario. Selected at first: the coefficient of restitution, or the efficiency
-/// for a drill string.
+/// List box of the outputs (computed results) of a scenario. At first the coefficient of restitution is
+/// selected, or the efficiency for a drill string.
 class OutputBox : public ChoiceBox {
     Q_OBJECT
 

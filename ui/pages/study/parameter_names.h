@@ -24,7 +24,7 @@ void offerParameters(QComboBox& box, const Scenario& scenario, StudyOf of = Stud
 /// Returns the selected parameter; nullptr if none is selected.
 KeptParameter chosenParameter(const QComboBox& box);
 
-/// Selects a parameter, or none for nullptr. Emits no signals.
+/// Selects a parameter. For nullptr it selects the first item, which stands for none. Emits no signals.
 void chooseParameter(QComboBox& box, const KeptParameter& parameter);
 
 }  // namespace drillwave

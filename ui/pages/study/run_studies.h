@@ -15,7 +15,8 @@
 
 namespace drillwave {
 
-/// Curve of one pinned run with the question that it answers.
+/// Curve of one pinned run (a result kept for comparison), with the question (input of the computation) that
+/// it answers.
 template <class Question, class Curve>
 struct RunAnswer {
     Question question;
@@ -26,20 +27,20 @@ template <class Question, class Curve>
 using RunAnswers = std::vector<std::shared_ptr<const RunAnswer<Question, Curve>>>;
 
 /// Function object that answers questions one after another and keeps the answers for the next call. Copies
-/// share the kept answers; it must be called on one thread at a time.
+/// share the kept answers. Must not be called on two threads at the same time.
 template <class Question, class Curve>
 class RunCurveFinder {
   public:
     using Answers = RunAnswers<Question, Curve>;
-    /// Function that computes a curve. Returns nothing if there is no curve or after a stop; it must not
-    /// refer to the window.
+    /// Function that computes a curve. Returns nothing if there is no curve or after a stop. It is called
+    /// outside the window's thread and must not use the window.
     using Find = std::function<std::optional<Curve>(const Question&, const std::stop_token&)>;
 
     explicit RunCurveFinder(Find find) : m_find(std::move(find)) {}
 
-    /// Returns an answer to each question; some are missing after a stop. Answers kept from earlier calls
-    /// come first, then new ones in the order of the questions; `feed` shows each new one as soon as it is
-    /// found. Drops kept answers to questions that are no longer asked.
+    /// Returns the answers to the questions; some are missing after a stop. Answers kept from earlier calls
+    /// come first, then new ones in the order of the questions. `feed` shows each new one as soon as it is
+    /// found. Kept answers to other questions are dropped.
     Answers operator()(const std::vector<Question>& questions, const StudyFeed<Answers>& feed) {
         Answers found;
         std::vector<Question> open;
@@ -68,8 +69,8 @@ class RunCurveFinder {
     std::shared_ptr<Answers> m_known = std::make_shared<Answers>();
 };
 
-/// Curves of the pinned runs on a page. They are computed on their own thread, so that the study of the
-/// scenario does not wait for them.
+/// Curves of the pinned runs (results kept for comparison) on a page. They are computed on their own thread,
+/// so that the study of the scenario does not wait for them.
 template <class Question, class Curve>
 class RunStudies {
   public:
@@ -78,8 +79,8 @@ class RunStudies {
 
     explicit RunStudies(typename Finder::Find find) : m_study(Finder(std::move(find))) {}
 
-    /// Starts the computation of a curve for the question of each pinned run, unless it is known. Runs with
-    /// the same question share the curve.
+    /// Starts the computation of a curve for each pinned run, unless it is known already. `ofRuns` are the
+    /// questions (inputs of the computation) of the runs. Equal questions share one curve.
     void ask(const std::vector<Question>& ofRuns) {
         std::vector<Question> questions;
         for (const Question& question : ofRuns)
@@ -100,7 +101,7 @@ class RunStudies {
     }
     StudyActivity& activity() { return m_study.job(); }
     const StudyActivity& activity() const { return m_study.job(); }
-    /// Returns the number of times that a computation was started.
+    /// Returns how often a computation was started, for tests.
     int started() const { return m_study.started(); }
 
   private:

@@ -21,13 +21,13 @@ struct ShownUnits;
 /// Page around the plot of a study of the present scenario.
 ///
 /// From the top it has the answer in bold, further sentences, the controls in a box that folds, the plot and
-/// details. A study is requested when it may have changed, as soon as the page is visible; hiding the page
-/// stops it. Outdated sentences, plot and details are greyed out after a moment. They are hidden if they
+/// details. While the page is visible, a study is requested whenever its input may have changed; hiding the
+/// page stops it. Outdated sentences, plot and details are greyed out after a moment. They are hidden if they
 /// belong to another document.
 ///
 /// A derived class implements ask(), present(), csv() and commandWords(), and calls arrange() and watch() in
-/// its constructor. ask() passes the present question to the page's StudyRunner, which ignores a question
-/// equal to the last one.
+/// its constructor. ask() passes the present question to the page's StudyRunner. It does nothing for a
+/// question whose study is already running or finished.
 class StudyPage : public PlotPage {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ class StudyPage : public PlotPage {
     /// Creates the page. The document must outlive it.
     explicit StudyPage(Document& document, QWidget* parent = nullptr);
 
-    /// Returns no function: the study is computed separately from the blow.
+    /// Returns no function, because the study is computed separately from the blow.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void setRuns(const RunListPtr& runs) override;
@@ -43,26 +43,27 @@ class StudyPage : public PlotPage {
     QList<PageExport> exports() const override;
     StudyActivity* activity() const override { return m_activity; }
 
-    /// Returns the command that writes the same CSV as exports(), see commandText(). Empty if there is none
-    /// now.
+    /// Returns the command line that prints the same CSV as exports() save, see commandText(). Empty if there
+    /// is none now.
     virtual QString command() const;
 
   public slots:
     virtual void copyCommand();
 
   protected:
-    /// Requests the study that the controls describe, unless it is the present one. Called only while the
-    /// page is visible.
+    /// Starts the study that the controls describe, unless it is already running or finished. Called only
+    /// while the page is visible.
     virtual void ask() = 0;
-    /// Shows the latest answer of the study in the units of blow(), and the place of the present scenario.
-    /// Called after any of them has changed. blow() is nullptr before the first blow, and may be unsolved.
+    /// Shows the latest results of the study in the units of blow(), and marks the present scenario in the
+    /// plot. Called after any of them has changed. blow() is nullptr before the first blow, and may be
+    /// unsolved.
     virtual void present() = 0;
     /// Returns why the shown study cannot be exported now; empty if it can.
     virtual QString obstacle() const;
-    /// Returns the CSV of the finished study, as written by command().
+    /// Returns the finished study as CSV, as the command line of commandWords() prints it.
     virtual QByteArray csv() const = 0;
-    /// Returns name and arguments of the command without "-o", such as {"gap", "--gap-mean", "1 mm"}. Empty
-    /// if there is none.
+    /// Returns name and arguments of the command that runs this study, without its option "-o" for the output
+    /// file. An example is {"gap", "--gap-mean", "1 mm"}. Empty if there is none.
     virtual QStringList commandWords() const = 0;
 
     QString answerText() const override;
@@ -70,40 +71,42 @@ class StudyPage : public PlotPage {
     /// Builds the page: answer, controls in a row that wraps, and the plot with `beside` at its right.
     /// Returns the plot. Call it once.
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
-    /// Places the widget beside the plot above the plot if the page is narrower than `width` [px]. On a wider
-    /// page the widget has a third of the width.
+    /// Sets the page width [px] below which the widget beside the plot moves above the plot. On a wider page
+    /// this widget has a third of the width.
     void stackBelow(int width);
-    /// Group that a widget belongs to: `question`, or `answer`. Widgets of the answer are greyed out while
-    /// the answer is out of date.
+    /// Group that a widget belongs to: `question` for controls, `answer` for results. Widgets of the answer
+    /// are greyed out while the answer is out of date.
     enum class PartOf { question, answer };
     /// Adds a widget between the sentences and the controls, visible even while the controls are folded.
     void addAbove(QWidget* widget, PartOf part);
-    /// Adds a widget below the plot as part of the answer.
+    /// Adds a widget, such as a table of results, below the plot. It is greyed out together with the plot
+    /// while the results are out of date.
     void addBelow(QWidget* table);
-    /// Returns the box of the controls.
+    /// Returns the box that contains the controls and can be folded.
     SectionBox& settingsBox() const { return *m_settings; }
-    /// Returns whether a low window may fold the settings at present.
+    /// Returns whether the page may fold its controls now if the window is too low to show controls and plot.
     virtual bool canFoldSettings() const { return true; }
     /// Sets the study that gives the page's answer. Call it once.
     void watch(StudyActivity& activity);
-    /// Adds a further study of the page. Each update of the study calls present(). Hiding the page stops the
-    /// study until present() starts it again.
+    /// Adds a study that runs beside the main study of the page. Each update of this study calls present().
+    /// Hiding the page stops it until present() starts it again.
     void watchBeside(StudyActivity& activity);
-    /// Requests a new question: calls ask() now, or as soon as the page is visible.
+    /// Updates the study to the present input: calls ask() now, or as soon as the page is visible.
     void requestUpdate();
     /// Shows the answer in bold and further sentences below it. An error of the study replaces both.
     void say(const QString& answer, const QString& more = {});
-    /// Shows the first sentence as the answer, and the others below it.
+    /// Shows the first sentence in bold as the answer of the page, and the others below it.
     void say(const QStringList& sentences);
     /// Shows the reason why there is no result, instead of the curves and as the answer.
     void showNothing(const QString& why);
-    /// Shows the reason why no study is requested. The answer is no longer greyed out as outdated.
+    /// Shows the reason why no study is requested, instead of the curves and as the answer. Removes the grey
+    /// that marks outdated results.
     void showNothingAsked(const QString& why);
     /// Sets parameters of the scenario as one undo step, like a click in the plot. Shows the reason if this
     /// is impossible.
     void load(const std::vector<ParameterValue>& values);
-    /// Requests a pinned run for the scenario with these values; the scenario itself is unchanged. Shows the
-    /// reason if this is impossible.
+    /// Requests a pinned run (a result kept for comparison) for the scenario with these values; the scenario
+    /// itself is unchanged. Shows the reason if this is impossible.
     void pin(const std::vector<ParameterValue>& values);
     /// Replaces the scenario as one undo step with the name `step`. Shows the reason if this is impossible.
     void load(const Scenario& scenario, const QString& step);
@@ -113,21 +116,22 @@ class StudyPage : public PlotPage {
     /// Requests a pinned run (a result kept for comparison) for a scenario. Shows the reason if this is
     /// impossible.
     void pin(const Scenario& scenario);
-    /// Sets these parameters of the scenario by load(), or pins a run with them by pin() if `modifiers`
-    /// contains Shift.
+    /// Sets these parameters of the scenario as one undo step. If `modifiers` contains Shift, it leaves the
+    /// scenario unchanged and pins a run with these values (a result kept for comparison).
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 
     /// Returns the units in which values of a scenario are shown: those chosen in the window, with the scales
     /// of this scenario. Without a blow they are SI units, and for a dimensionless scenario dimensionless
     /// ones.
     ShownUnits unitsFor(const Scenario& scenario) const;
-    /// Returns the units of figures: those of the input fields for parameters, and `units` for all other
-    /// quantities.
+    /// Returns the units of figures: parameters have those of their input fields, all other quantities those
+    /// in `units`.
     FigureUnits figureUnits(const ShownUnits& units) const;
     Document& document() const { return m_document; }
     const Scenario& scenario() const { return m_document.scenario(); }
     const SolvedBlowPtr& blow() const { return m_blow; }
-    /// Returns the pinned runs. Runs that are solved and shown are drawn over the plot.
+    /// Returns the pinned runs (results kept for comparison). Solved runs that are shown are drawn over the
+    /// plot.
     const RunList& runs() const { return *m_runs; }
     const RunListPtr& runList() const { return m_runs; }
 

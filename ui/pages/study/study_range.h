@@ -11,7 +11,8 @@
 
 namespace drillwave {
 
-/// Parameter from `start` to `stop` (in SI), in equal steps or, if `logarithmic`, in equal ratios.
+/// Range of a parameter in a study: from `start` to `stop` (in SI), in equal steps or, if `logarithmic`, in
+/// equal ratios.
 struct StudyRange {
     KeptParameter parameter = {};
     double start = 0;
@@ -19,8 +20,8 @@ struct StudyRange {
     bool logarithmic = false;
     bool operator==(const StudyRange&) const = default;
 
-    /// Returns the range as an argument of the command, such as "bit_rock.stiffness=10 MN/m:10000 MN/m". The
-    /// suffix tail() and the number of values are left out. Reading the text gives the same doubles.
+    /// Returns the range as an argument of the command line, such as "bit_rock.stiffness=10 MN/m:10000 MN/m".
+    /// The suffix of tail() and the number of values are left out. Reading the text gives the same doubles.
     std::string text() const;
     /// Returns ":log" for a logarithmic range, else an empty text.
     std::string tail() const { return logarithmic ? ":log" : ""; }
@@ -39,17 +40,19 @@ double readableNear(const Parameter& parameter, double si);
 /// allowed range. Requires a parameter that applies to the scenario.
 StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns the range of rangeAround() for a study of many blows. Feed forces start at their least useful
-/// value, the mean reaction f I0 less the weight, below which the machine is pushed back.
+/// Returns a range like rangeAround(), for a study of many blows. A range of feed forces starts at f I0 less
+/// the weight of the machine: blow frequency times impulse is the mean reaction. Below it the machine is
+/// pushed back.
 StudyRange rangeOfManyBlows(const Parameter& parameter, const Scenario& scenario);
 
-/// Parameter with a list of values (in SI).
+/// Parameter with a list of values (in SI); a study draws one curve for each value.
 struct StudyFamily {
     KeptParameter parameter = {};  ///< parameter; nullptr for none
     std::vector<double> values;
     bool operator==(const StudyFamily&) const = default;
 
-    /// Returns the family as an argument of the command, such as "gamma=0.01,0.1,1"; empty for none.
+    /// Returns parameter and values as an argument of the command line, such as "gamma=0.01,0.1,1"; empty if
+    /// there is no parameter.
     std::string text() const;
 };
 

@@ -36,7 +36,7 @@ class JointMarksItem : public WavePictureItem {
     void draw(QCPPainter* painter) override;
 
   private:
-    /// Part of the picture with one name; its ends are in x/L.
+    /// Stretch of hammer or string that has one name in the picture. Its ends are in x/L.
     struct Named {
         QString text;
         double rear, front;

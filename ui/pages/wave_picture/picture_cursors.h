@@ -19,23 +19,26 @@ class PictureCursors : public QObject {
     Q_OBJECT
 
   public:
-    /// Creates the lines. Plot and picture must outlive them.
+    /// Creates a vertical line (observed section) and a horizontal line (time cursor). Plot and picture must
+    /// outlive them.
     PictureCursors(QCustomPlot* plot, WavePicturePlot* picture);
 
-    /// Moves the vertical line to x/L.
+    /// Moves the vertical line, which marks the observed section, to x/L.
     void setSection(double xi);
-    /// Moves the horizontal line to the global time t/t0.
+    /// Moves the horizontal line, which is the time cursor, to the time t/t0, counted from the start of the
+    /// blow.
     void setTime(double t);
     void setStyle(const PlotStyle& style);
-    /// Returns the position of the vertical line [px from the left].
+    /// Returns the position of the vertical line, which marks the observed section [px from the left].
     double sectionPixel() const;
-    /// Returns the position of the horizontal line [px from the top].
+    /// Returns the position of the horizontal line, which is the time cursor [px from the top].
     double timePixel() const;
 
   signals:
-    /// Reports that the user has moved the vertical line to x/L.
+    /// Reports that the user has moved the vertical line, which marks the observed section, to x/L.
     void sectionMoved(double xi);
-    /// Reports that the user has moved the horizontal line to the time t/t0.
+    /// Reports that the user has moved the horizontal line, which is the time cursor, to t (in units of the
+    /// time scale t0).
     void timeMoved(double t);
 
   protected:

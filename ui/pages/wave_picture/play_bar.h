@@ -15,8 +15,8 @@ class QToolButton;
 
 namespace drillwave {
 
-/// Bar that plays a time span at a chosen speed while it is visible. Its owner follows timeChosen() and
-/// reports the time back by setTime().
+/// Bar with a play button, a slider and the speed. While it is visible, it moves the time cursor through a
+/// time span. Its owner follows timeChosen() and reports the time back by setTime().
 class PlayBar : public QWidget {
     Q_OBJECT
 
@@ -25,9 +25,9 @@ class PlayBar : public QWidget {
 
     /// Sets the time span to play [t0]. `secondsPerUnit` is t0 [s], or 0 for a dimensionless scenario.
     void setSpan(const TimeSpan& span, double secondsPerUnit);
-    /// Sets the position of the time cursor [t0].
+    /// Moves the slider to the time t of the time cursor [t0, the time scale of the blow].
     void setTime(double t);
-    /// Sets the text of the present time.
+    /// Sets the time of the cursor in words, which screen readers speak at the slider.
     void setTimeText(const QString& text);
     bool isPlaying() const { return m_timer.isActive(); }
     /// Starts playing at the cursor, or at the beginning of the span if the cursor is at its end.
@@ -40,7 +40,7 @@ class PlayBar : public QWidget {
     bool loops() const;
 
   signals:
-    /// Reports that the user or playing has moved the time cursor to t [t0].
+    /// Reports a new time t [t0] of the time cursor, set by the user or by playing.
     void timeChosen(double t);
     void playingChanged(bool playing);
 

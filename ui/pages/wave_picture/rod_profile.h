@@ -14,8 +14,8 @@ namespace drillwave {
 
 /// Widget with curves of force or velocity along the rod at the time cursor; unlike colours, curves can be
 /// drawn over each other. It is visible for a drill string, and if pinned runs are shown. It is aligned with
-/// the drawing of the rod below. Position and time scales are those of the present blow, so that the curve of
-/// a longer rod ends outside.
+/// the drawing of the rod below. Positions and times have the scales of the present blow. So the curve of a
+/// longer rod is cut off at the end of the present rod.
 class RodProfile : public QWidget {
     Q_OBJECT
 
@@ -31,15 +31,16 @@ class RodProfile : public QWidget {
 
     /// Shows a blow, which must have a wave picture; nullptr for none.
     void setBlow(const SolvedBlowPtr& blow);
-    /// Sets the global time of the present blow [t0].
+    /// Sets the time of the curves [t0], counted from the start of the present blow.
     void setTime(double t);
-    /// Sets the ends of the rod [px from the left].
+    /// Sets the ends of the rod [px from the left], to align the curves with the drawing of the rod.
     void setRodEnds(int left, int right);
 
-    /// Returns the curves of the present blow and of the pinned runs shown; empty while the widget is hidden.
+    /// Returns the curves of the present blow and of the pinned runs (results kept for comparison); empty
+    /// while the widget is hidden.
     const QVector<Line>& lines() const { return m_lines; }
-    /// Returns a text with the values of all curves at x/L, with their names. Curves that do not reach x/L
-    /// are left out.
+    /// Returns a text with the value of each curve at the position x/L and the name of its run. Curves that
+    /// do not reach x/L are left out.
     QString readout(double xi) const;
 
     QSize sizeHint() const override;

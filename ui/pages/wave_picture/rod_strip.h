@@ -23,13 +23,14 @@ class RodStrip : public QWidget {
 
     /// Shows a blow, which must have a wave picture; nullptr for an empty strip.
     void setBlow(const SolvedBlowPtr& blow);
-    /// Sets the global time [t0].
+    /// Sets the time that the drawing shows [t0], counted from the start of the blow.
     void setTime(double t);
     double time() const { return m_time; }
     /// Sets the ends of the rod [px from the left], to align it with the picture above.
     void setRodEnds(int left, int right);
-    /// Returns the state at this time in words, such as "t = 0.52 ms: contact, penetration 0.8 mm, force 120
-    /// kN; stress −45 … 12 MPa". The last part is the velocity if the picture shows velocities.
+    /// Returns the state of bit and rod at the time of setTime() in words. An example is "t = 0.52 ms:
+    /// contact, penetration 0.8 mm, force 120 kN; stress −45 … 12 MPa". It ends with the velocity instead if
+    /// the picture shows velocities.
     QString stateText() const;
 
     QSize sizeHint() const override;

@@ -12,7 +12,7 @@ class ScaleMarksItem : public WavePictureItem {
     Q_OBJECT
 
   public:
-    /// Creates the marks. The bar must outlive them.
+    /// Creates the marks. The colour bar must outlive them.
     ScaleMarksItem(QCustomPlot* plot, const QCPColorScale* bar);
 
   protected:

@@ -21,7 +21,7 @@ struct PictureWindow {
     bool operator==(const PictureWindow&) const = default;
 };
 
-/// Contents that a wave picture must have: field, part and resolution.
+/// Requirements for a wave picture: field (force or velocity), part (positions and times) and resolution.
 struct WavePictureNeed {
     WaveQuantity field = WaveQuantity::force;
     std::optional<PictureWindow> window;  ///< part to show; empty for WavePicture::whole()
@@ -42,7 +42,7 @@ struct PictureUnits {
 };
 
 /// Returns the units of a wave picture. `units` gives those of time and force; the others follow from the
-/// blow, whose waves must be readable.
+/// blow. Requires a blow with time histories.
 PictureUnits pictureUnits(const Blow& blow, const ShownUnits& units);
 
 /// Largest force and velocity of the waves of a pinned run (a result kept for comparison), which limit the
@@ -56,11 +56,11 @@ struct RunWaves {
     }
 };
 
-/// Returns the largest force and velocity of the waves of a blow. Requires a blow whose waves can be read,
-/// see BlowWaves.
+/// Returns the largest force and velocity of the waves of a blow. Requires a blow with time histories, see
+/// BlowWaves.
 RunWaves runWaves(const Blow& blow);
 
-/// Additional data of the wave picture of a drill string.
+/// Data that the wave picture of a drill string has in addition to those of a uniform rod.
 struct StringPicture {
     StringRod rod;                              ///< sections of hammer and string
     double end = 0;                             ///< time until which the waves were computed [t0]
@@ -105,7 +105,7 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
 inline constexpr int mostPictureCells = 4'000'000;
 
 /// Returns the wave picture of a blow. The colour scale ends at the largest force or velocity of the blow.
-/// Requires a blow whose waves can be read, see BlowWaves.
+/// Requires a blow with time histories, see BlowWaves.
 WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePictureNeed& need);
 
 }  // namespace drillwave

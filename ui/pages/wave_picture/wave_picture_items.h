@@ -21,14 +21,15 @@ class WavePictureItem : public QCPAbstractItem {
   public:
     explicit WavePictureItem(QCustomPlot* plot) : QCPAbstractItem(plot) { setSelectable(false); }
 
-    /// Sets the blow, which must have a wave picture; nullptr for none.
+    /// Sets the blow that the item draws, which must have a wave picture; nullptr for none.
     virtual void setBlow(const SolvedBlowPtr& blow) { m_blow = blow; }
     virtual void setStyle(const PlotStyle& style) { m_style = style; }
     double selectTest(const QPointF&, bool, QVariant* = nullptr) const override { return -1; }
 
   protected:
     const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
-    /// Returns the view of the axes in x/L and t/t0.
+    /// Returns the ranges of the axes in x/L and t/t0, with the size of the axis rect in pixels as numbers of
+    /// columns and rows.
     RasterGrid view() const;
     /// Returns the pixel of a point given by x/L and t/t0.
     QPointF pixel(double xi, double t) const;
@@ -37,7 +38,8 @@ class WavePictureItem : public QCPAbstractItem {
     PlotStyle m_style;
 };
 
-/// Field of a wave picture in colours. For a file it is computed again with the resolution of the file.
+/// Force or velocity of a wave picture, drawn as colours. For a file it is computed again with the resolution
+/// of the file.
 class WaveFieldItem : public WavePictureItem {
     Q_OBJECT
 
@@ -57,8 +59,9 @@ class WaveFieldItem : public WavePictureItem {
     QImage m_image;
 };
 
-/// Lines of the wave fronts, x = ±ct + …, from every start, jump and end of the hammer force, with all their
-/// reflections. The first waves are named as in the paper's Fig. 2.
+/// Lines of the wave fronts, x = ±ct + …, that start at every start, jump and end of the hammer force. They
+/// are followed to and fro between the ends, but not after reflections at joints. For a uniform rod the first
+/// waves are named as in the paper's Fig. 2.
 class WaveFrontsItem : public WavePictureItem {
     Q_OBJECT
 
@@ -74,7 +77,8 @@ class WaveFrontsItem : public WavePictureItem {
     void drawName(QCPPainter& painter, const FrontRun& run) const;
 };
 
-/// Bars at the bit's end of a wave picture that show when bit and rock touch, with ticks at other events.
+/// Bars at the bit's end of a wave picture that show when bit and rock touch. Ticks show when the rock starts
+/// to unload, returns to its loading curve, or passes a corner of it.
 class ContactBarsItem : public WavePictureItem {
     Q_OBJECT
 

@@ -11,17 +11,17 @@
 
 namespace drillwave {
 
-/// Plot with position to the right, time upwards, and force or particle velocity as colour. Fitting shows the
-/// whole rod, or hammer and string, from the start of the blow to shortly after the last contact of the bit.
+/// Plot with position to the right, time upwards, and force or particle velocity as colour. Zoom to fit shows
+/// all positions, from the start of the blow to shortly after the last contact of the bit.
 class WavePicturePlot : public StudyFrame {
     Q_OBJECT
 
   public:
     explicit WavePicturePlot(QCustomPlot* plot);
 
-    /// Returns the picture needed to show the present view at the present size.
+    /// Returns the field, part and resolution that a wave picture must have to fill the present view.
     WavePictureNeed need() const;
-    /// Shows a blow, which must have a wave picture. The present zoom is kept, unless the view was fitted.
+    /// Shows a blow, which must have a wave picture. A zoom by the user is kept.
     void present(const SolvedBlowPtr& blow);
     /// Returns the blow that is shown; nullptr if there is none.
     const SolvedBlowPtr& shown() const { return m_blow; }
@@ -38,22 +38,25 @@ class WavePicturePlot : public StudyFrame {
 
     /// Returns the time span in view [t0].
     TimeSpan timeInView() const { return m_window.time; }
-    /// Returns the field over the part in view as a table; see wavePictureCsv(). Empty if nothing is shown.
+    /// Returns the field (force or particle velocity) over the part in view as a table; see wavePictureCsv().
+    /// Empty if nothing is shown.
     QByteArray csv(char separator) const;
-    /// Names the axes in the present language.
+    /// Sets the labels of the axes in the present language.
     void name();
-    /// Returns a text with the extremes in view and the end of the colour scale; empty if nothing is shown.
+    /// Returns a text with the smallest and largest value in view. If these exceed the colour scale, it also
+    /// states where the scale ends. Empty if nothing is shown.
     QString rangeText() const;
     /// Returns a text that explains the lines of the wave fronts; empty if they are not shown.
     QString frontsText() const;
-    /// Returns a text with position, time and field at a point of the plot; for a drill string with section,
-    /// force, stress and velocity. Empty outside the picture.
+    /// Returns a text with position, time and field (force or particle velocity) at a point of the plot. For
+    /// a drill string it has section, force, stress and velocity. Empty outside the picture.
     QString readout(const QPointF& pixel) const;
 
   signals:
-    /// Reports that the picture shown no longer has the part and the resolution that need() returns.
+    /// Reports that a new wave picture must be computed: the one shown no longer has the field, part or
+    /// resolution that need() returns.
     void needChanged();
-    /// Reports that the part in view has changed.
+    /// Reports that the range of positions or times in view has changed.
     void viewChanged();
 
   private:
