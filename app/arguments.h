@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Description of one option of a command, such as "--set KEY=VALUE" or "-j N".
+/// Description of one option of a command, for parsing and help, such as "--set KEY=VALUE" or "-j N".
 struct OptionSpec {
     std::string_view name;  ///< name without dashes: "set", or a single letter
     /// Placeholder of the option's value in the help, "KEY=VALUE"; empty for a switch.
@@ -22,7 +22,7 @@ struct OptionSpec {
     /// Number of times that the option may appear. A `list` option also takes all following words that have
     /// an equals sign.
     enum class Times { once, repeated, list } times = Times::once;
-    /// Scenario key that the option sets, for example "drill.blows" for --blows; empty if it sets none.
+    /// Scenario key that the option sets: "drill.blows" for --blows; empty if it sets none.
     std::string_view sets = {};
 
     /// Returns true if the option is written with two dashes, "--set" or "--x", and false if with one, "-j".
@@ -42,7 +42,8 @@ class Arguments {
     bool has(std::string_view option) const;
     std::optional<std::string> value(std::string_view option) const;
     std::vector<std::string> values(std::string_view option) const;
-    /// Returns the options that set a scenario key, as pairs of key and option name, in the order given.
+    /// Returns the given options that set a scenario key, as pairs of key and option name, in the order
+    /// given.
     const std::vector<std::pair<std::string_view, std::string_view>>& shorts() const { return m_shorts; }
     /// Returns the language in which the command writes its output.
     const Language& language() const { return *m_language; }
@@ -53,12 +54,13 @@ class Arguments {
     const std::vector<std::string>& operands() const { return m_operands; }
 
     /// Returns the words of an option whose value is a list separated by commas, each word once; empty
-    /// without the option. Throws CommandError (usage) for a word that is not in `known`. `pattern` is its
-    /// message, whose placeholders stand for the list, the wrong word and the known words.
+    /// without the option. Throws CommandError (usage) for a word that is not in `known`. `pattern` is the
+    /// text of this error, with placeholders for the list, the wrong word and the known words.
     std::vector<std::string> listed(std::string_view option, std::span<const std::string_view> known,
                                     const char* pattern) const;
 
-    /// Throws CommandError (usage) if both --json and "-o -" are given, since both print to standard output.
+    /// Throws CommandError (usage) if both --json and "-o -" are given, because both print to standard
+    /// output.
     void checkOnePrinted() const;
 
     /// Returns the command line as a shell accepts it, quoted where necessary, operands first. Leaves out the

@@ -19,15 +19,16 @@ struct Command {
     std::string_view operands;  ///< operands in the help, "FILE CASES.csv"
     std::string_view summary;   ///< summary in the list of commands, one line
     std::string_view details;   ///< further lines of the help; may be empty
-    /// Returns help that is generated from tables and printed after `details`; nullptr for none.
+    /// Function that returns further help, generated from tables and printed after `details`; nullptr for
+    /// none.
     std::string (*furtherHelp)(const ReadingStyle&) = nullptr;
     std::vector<OptionSpec> options;
     std::size_t leastOperands;
     std::size_t mostOperands;
-    /// Returns true if these arguments request pictures, so that `run` needs a Drawing.
+    /// Function that returns true if these arguments request pictures; `run` then needs a Drawing.
     bool (*draws)(const Arguments&);
-    /// Runs the command and returns the exit code. `drawing` is nullptr unless the arguments request
-    /// pictures. Throws CommandError.
+    /// Function that runs the command and returns the exit code. `drawing` is nullptr unless the arguments
+    /// request pictures. Throws CommandError.
     std::function<ExitCode(const Arguments&, const Drawing* drawing)> run;
 };
 
@@ -49,7 +50,7 @@ const Command& validateCommand();
 const Command& examplesCommand();
 const Command& presetsCommand();
 
-/// Returns all commands, in the order of the help.
+/// Returns all subcommands of the program, in the order of the help.
 std::span<const Command* const> commands();
 
 /// Returns the command of that name, or nullptr if there is none.

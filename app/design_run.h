@@ -10,15 +10,16 @@
 
 namespace drillwave {
 
-/// Settings for running a design study: threads, and the name and style used in messages.
+/// Settings for running a design study in a command: number of threads, and the name of the scenario and the
+/// style in messages.
 struct DesignRun {
     int jobs = 1;
     std::string path;  ///< name of the scenario in messages
     const ReadingStyle& style;
 };
 
-/// Returns the findings of a design study, which include a design that is best for uncertain rock. Shows a
-/// progress bar. Throws CommandError: interrupted; unsolved if no design has statistics or no design meets
+/// Computes a design study and returns its results, which include a best design (BestDesigns::robust). Shows
+/// a progress bar. Throws CommandError: interrupted; unsolved if no design has statistics or no design meets
 /// the limits.
 DesignFindings findDesigns(const DesignStudy& study, const DesignRun& run, const Interruption& interruption);
 

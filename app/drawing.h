@@ -32,9 +32,9 @@ using StudyValue =
     std::variant<const CurveReport*, const DesignReport*, const DrillingReport*, const DrillingScanReport*,
                  const IdentifyReport*, const MapReport*, const StudyAnswer*, const SweepRows*>;
 
-/// Draws pictures with words and numbers in the language of the command. The implementation is in another
-/// program, see desktop.h. All functions throw CommandError (unwritable output) if drawing fails. After a
-/// stop they return only the pictures drawn so far.
+/// Interface for drawing pictures with words and numbers in the language of the command. The implementation
+/// may be in another program, see desktop.h. All functions throw CommandError (unwritable output) if drawing
+/// fails. After a stop request they return only the pictures drawn so far.
 class Drawing {
   public:
     Drawing() = default;
@@ -46,16 +46,16 @@ class Drawing {
     /// not be drawn. Its words are English, as in the paper.
     virtual std::string figure(const Figure& figure, std::string_view format) const = 0;
 
-    /// Returns the pictures blow.*, rock.*, wave_picture.* and rod.* of one blow, each in every format.
-    /// Requires a blow solved with Detail::histories.
+    /// Returns the pictures of one blow in each format: blow.*, rock.*, wave_picture.* and rod.*. Requires a
+    /// blow solved with Detail::histories.
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
 
-    /// Returns the report on a solved blow in the formats of the order, "html" and "pdf".
+    /// Returns the files of the report on a solved blow, one for each format in `order` ("html" or "pdf").
     virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const = 0;
 
-    /// Returns the picture of a study in each format of the order. It shows the view that the study's page in
-    /// the window shows first.
+    /// Returns the picture of a study in each format in `order`. It shows the first view of the study's page
+    /// in the window.
     virtual std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const = 0;
 };
 

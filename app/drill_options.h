@@ -14,11 +14,12 @@
 
 namespace drillwave {
 
-/// Returns the units of the output: SI, or dimensionless with --dimensionless. Like all functions of this
-/// file, it throws CommandError (usage) for a wrong option.
+/// Returns the units of the output: SI, or dimensionless with --dimensionless. Throws CommandError (usage) if
+/// --si is also given.
 OutputUnits drillUnits(const Arguments& arguments);
 
-/// Returns the number of cells (time steps) per t0 given by --cells, or `usual` without the option.
+/// Returns the number of time steps (cells) per duration t0 of the hammer force, given by --cells; `usual`
+/// without the option.
 int drillCells(const Arguments& arguments, int usual);
 
 /// Returns the blows A to B of --histories A:B, whose histories are written; nothing without the option.
@@ -26,15 +27,16 @@ int drillCells(const Arguments& arguments, int usual);
 std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::optional<std::string>& out,
                                         const DrillingSettings& settings);
 
-/// Throws CommandError (invalid scenario) with one line for each problem; does nothing if there are none.
+/// Throws CommandError (invalid scenario) with one line for each of the `problems` of the scenario `path`;
+/// does nothing if there are none.
 void refuseDrill(const std::vector<Message>& problems, const std::string& path);
 
-/// Returns the largest work that --work-limit permits for many blows: time steps (cells) times nodes (ends of
-/// sections).
+/// Returns the largest work that --work-limit permits for a sequence of many blows. Work is the number of
+/// time steps (cells) times the number of nodes (ends of sections).
 double permittedDrillWork(const Arguments& arguments);
 
-/// Throws CommandError (unsolved or failed) if `work` exceeds what --work-limit permits. Work is measured in
-/// time steps (cells) times nodes (ends of sections).
+/// Throws CommandError (unsolved or failed) if a sequence of blows needs more work than --work-limit permits.
+/// `work` is the number of time steps (cells) times the number of nodes (ends of sections).
 void checkDrillWork(double work, const Arguments& arguments);
 
 /// Prints on stderr the parameters of the scenario that have no effect on many blows.

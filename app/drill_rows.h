@@ -18,8 +18,8 @@ namespace drillwave {
 void checkDrillRows(const std::string& file, const Arguments& arguments, const ScenarioDocument& document,
                     Overwrite overwrite);
 
-/// Returns the record (RowRecord) that describes how the rows were computed: command, scenario and number of
-/// rows. Its axes and outputs are left empty.
+/// Returns the record (RowRecord) that describes how the rows were computed, with command, scenario and
+/// number of rows. The caller adds axes and outputs.
 RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows);
 
 /// Returns the file that describes how the rows were computed, "blows.csv.yaml" for "blows.csv". It includes

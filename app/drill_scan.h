@@ -12,8 +12,8 @@
 namespace drillwave {
 
 /// Computes a sequence of blows for each value of the scanned parameter, writes and prints the results, and
-/// returns the exit code. Options that set scenario keys must be applied to `document` already. Throws
-/// CommandError.
+/// returns the exit code. `document` must already contain the values of options that set scenario keys.
+/// Throws CommandError.
 ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& document, const std::string& path,
                       const Drawing* drawing);
 

@@ -27,8 +27,8 @@ inline constexpr std::string_view helpDetails =
 /// Summary of the command `version`.
 inline constexpr std::string_view versionSummary = "print the version of the program";
 
-/// Returns an option with the placeholder of its value, as in the help: "--set KEY=VALUE", or "--json" for a
-/// switch.
+/// Returns an option as shown in the help: with the placeholder of its value, such as "--set KEY=VALUE", or
+/// as "--json" for a switch.
 std::string synopsis(const OptionSpec& option);
 
 /// Returns the options of a command and --language, but neither --help nor --version.
@@ -46,7 +46,7 @@ std::string commandHelp(const Command& command, const ReadingStyle& style = plai
 /// Returns the help of `help` or `version`, which are not objects of type Command; empty for other names.
 std::string ownHelp(std::string_view name, const ReadingStyle& style = plainStyle());
 
-/// Returns the English texts of all help, which the catalogues of translations contain in the context "help".
+/// Returns all help texts in English. Their translations are in the catalogues under the context "help".
 std::vector<std::string_view> helpTexts();
 
 }  // namespace drillwave

@@ -22,7 +22,8 @@ std::string topicText(std::span<const std::string> words, std::size_t width,
 /// or words.
 std::vector<std::string> parameterNames();
 
-/// Returns the names of all topics: commands, chapters, parameters and outputs.
+/// Returns the names of all topics of `drillwave help`: commands, chapters of the manual, parameters and
+/// outputs.
 std::vector<std::string> topicNames();
 
 }  // namespace drillwave

@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Returns the options of `identify`: those of scenarios, those for reading records, and its own.
+/// Returns the descriptions of all options that the command `identify` accepts.
 std::vector<OptionSpec> identifyOptionSpecs();
 
 /// Returns the strain gauge that `word` describes as COLUMN@DISTANCE; `name` is its option, for messages.
@@ -21,7 +21,7 @@ std::vector<OptionSpec> identifyOptionSpecs();
 /// scenario if the distance is not a positive length.
 GaugeChoice gaugeChoiceOf(const std::string& name, const std::string& word);
 
-/// Files of `identify`: the scenario, and the records of --signals in the order given.
+/// Files that the command `identify` reads: the scenario, and the records of --signals in the order given.
 struct IdentifyFiles {
     std::string scenario;
     std::vector<std::string> records;
@@ -30,7 +30,7 @@ struct IdentifyFiles {
 /// missing or a record is given twice.
 IdentifyFiles identifyFiles(const Arguments& arguments);
 
-/// Reads the records and returns the question for the identification. `path` names the scenario in messages.
+/// Reads the records and returns the input of the identification. `path` names the scenario in messages.
 /// Throws CommandError: usage, unreadable input, invalid scenario.
 IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& scenario,
                                     const std::string& path, const std::vector<std::string>& records,

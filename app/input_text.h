@@ -24,8 +24,8 @@ std::string inputName(const std::string& path);
 /// `style`.
 FileBytes readInput(const std::string& path, std::size_t most, const ReadingStyle& style);
 
-/// Input that is read twice, once to check its rows and once to solve them. Input from a pipe is copied to a
-/// temporary file of limited size.
+/// Input that is read twice: once to check its rows, and once to solve them. A pipe can only be read once, so
+/// it is copied to a temporary file of limited size.
 class RereadableInput {
   public:
     /// Largest input taken from a pipe [bytes], about ten million rows. A longer pipe probably never ends.
@@ -42,7 +42,7 @@ class RereadableInput {
     std::istream& stream() { return m_stream; }
 
   private:
-    /// File buffer whose errors name the file that cannot be read.
+    /// File buffer whose errors contain the name of the file that cannot be read.
     class Buffer : public std::filebuf {
       public:
         explicit Buffer(std::string name) : m_name(std::move(name)) {}

@@ -18,8 +18,8 @@ void exitOnInterruption();
 /// ends.
 void speakOnInterruption(const ReadingStyle& style);
 
-/// Blocks SIGINT, SIGTERM and SIGHUP until exitOnInterruption() is called, even in a program started by exec.
-/// Signals that arrive in between are delivered afterwards.
+/// Blocks SIGINT, SIGTERM and SIGHUP until exitOnInterruption() is called, also in programs started by exec.
+/// Signals that arrive meanwhile are delivered after that.
 void holdInterruptions();
 
 /// Object that blocks SIGINT, SIGTERM and SIGHUP during its lifetime. A signal that arrives during this time
@@ -47,7 +47,8 @@ class Interruption {
     void check() const;
     /// Makes the program ignore signals from now on, because all output is written.
     void disable() const;
-    /// Returns the style set by speakOnInterruption(), or the plain English style if none was set.
+    /// Returns the style (language and number format) of messages, as set by speakOnInterruption(). Without
+    /// it, returns the plain English style.
     const ReadingStyle& style() const;
 
   private:

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Option --language, which every command and the window accept.
+/// Description of the option --language, which every command and the window accept.
 inline constexpr OptionSpec languageOption{"language", "CODE",
                                            "use German (de), Swedish (sv) or English (en)"};
 

@@ -6,7 +6,7 @@
 
 namespace drillwave {
 
-/// Returns the error that no more files can be opened; `reason` is the system's error number (errno).
+/// Returns the error to throw if the system permits no more open files; `reason` is its error number (errno).
 CommandError tooFewFiles(int reason);
 
 /// Throws CommandError (unwritable output) if the system's limit of open files does not permit `count` more

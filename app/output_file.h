@@ -22,22 +22,24 @@ class Interruption;
 
 enum class Overwrite { refused, allowed };
 
-/// Throws CommandError (usage) if one of `options`, which apply only to files, is given without -o. The
-/// message suggests adding `output`, for example "FILE.csv".
+/// Throws CommandError (usage) if one of `options` is given without -o. These options, such as --force, apply
+/// only to output files. The message suggests -o with `output`, for example "-o FILE.csv".
 void checkAboutFiles(const Arguments& arguments, std::initializer_list<const char*> options,
                      const char* output);
 
-/// Returns the option --decimal-comma, for commands that write CSV.
+/// Returns the description of the option --decimal-comma, for commands that write CSV.
 OptionSpec decimalCommaSpec();
-/// Sets the decimal sign and separator of all CSV that this run of the program writes, from --decimal-comma.
+/// Chooses decimal commas and semicolons for all CSV that this run of the program writes, if --decimal-comma
+/// is given.
 void useCsvSigns(const Arguments& arguments);
-/// Returns a complete CSV text with the decimal sign and separator of this run.
+/// Returns a complete CSV text, converted to decimal commas and semicolons if --decimal-comma is given.
 std::string inCsvSigns(std::string_view csv);
-/// Returns the contents of a file; CSV files have the decimal sign and separator of this run.
+/// Returns the contents of a file to be written. CSV files are converted to decimal commas and semicolons if
+/// --decimal-comma is given.
 std::string bytesInSigns(const NamedFile& file);
 
-/// Function that returns the names of files that an earlier run left in `folder` and that belong to `file`,
-/// such as pictures.
+/// Function that returns the names of existing files in `folder` that an earlier run wrote together with
+/// `file`, such as pictures.
 using LeftBeside = std::vector<std::string> (*)(const std::string& folder, const std::string& file);
 
 /// Returns true if a path is standard output, a device or a pipe, which are written directly and have no
@@ -56,35 +58,37 @@ void checkName(const std::string& path);
 /// `overwrite` does not allow replacing it.
 void checkOverwrite(const std::string& path, Overwrite overwrite);
 
-/// Throws CommandError (unwritable output) if a file, or an existing file that belongs to it, may not be
-/// replaced. First repairs what a crashed run left in the folder.
+/// Throws CommandError (unwritable output) if the file `path`, or an existing file that belongs to it, may
+/// not be replaced. Before that, completes or undoes changes that a crashed run has left unfinished in the
+/// folder.
 void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
 
-/// Output of a command. All functions throw CommandError (unwritable output) on failure, the constructor
-/// already if the failure can be known then.
+/// Output of a command: a file, or standard output. All functions throw CommandError (unwritable output) on
+/// failure. The constructor already throws if it can detect the failure.
 class OutputFile {
   public:
-    /// Opens an output. Standard output, devices and pipes are written directly; a file appears under its
-    /// name only with commit().
+    /// Opens an output. Standard output, devices and pipes are written directly. A file is first written
+    /// under a temporary name; commit() gives it its final name.
     OutputFile(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
-    /// Opens a file and continues after the rows in `kept`, which an interrupted run has written. Without
-    /// commit() the rows stay there for a later run.
+    /// Opens an output file that continues the rows of an interrupted run, stored in the temporary file of
+    /// `kept`. Without commit(), the rows stay in the temporary file, so that a later run can continue them.
     OutputFile(const std::string& path, Overwrite overwrite, const KeptRows& kept);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Writes complete lines of CSV, with the decimal sign and separator of this run.
+    /// Writes complete lines of CSV. With --decimal-comma, converts them to decimal commas and semicolons.
     void write(std::string_view csv);
-    /// Writes a text as it is.
+    /// Writes a text as it is, without the conversion of decimal signs that write() does.
     void writeText(std::string_view text);
     /// Returns size and checksum of everything written so far, including rows kept from an interrupted run.
     const FileSum& sum() const { return m_sum; }
-    /// Adds a file to be written beside this one. Requires that this output is a file, not a stream.
+    /// Adds a file, such as a picture, to be written together with this one in the same folder. Requires that
+    /// this output is a file, not a stream.
     void add(NamedFile beside);
-    /// Puts this file and the added ones in place together (writeWholeFolder()), replacing files of an
-    /// earlier run. For a stream, checks that all bytes were written. Throws CommandError (interrupted) on a
-    /// stop.
+    /// Gives this file and those of add() their final names together (see writeWholeFolder()); they replace
+    /// files of an earlier run. For a stream, only checks that all bytes were written. Throws CommandError
+    /// (interrupted) if a stop was requested before.
     void commit(const Interruption* interruption = nullptr);
 
   private:

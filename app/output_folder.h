@@ -15,8 +15,8 @@ namespace drillwave {
 /// before any computation.
 void checkFolder(const std::string& path, const std::vector<std::string>& names, Overwrite overwrite);
 
-/// Writes files into a folder, either all or none (see writeWholeFolder()). An interruption (nullptr for
-/// none) can only cancel it before the first file is in place. Throws CommandError: unwritable output;
+/// Writes files into a folder: either all or none (see writeWholeFolder()). An interruption cancels this only
+/// until the first file is in place; nullptr if there is none. Throws CommandError: unwritable output;
 /// interrupted.
 void writeFolder(const std::string& path, const FolderFiles& files, Overwrite overwrite,
                  const Interruption* interruption);

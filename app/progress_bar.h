@@ -19,7 +19,7 @@ inline constexpr std::chrono::seconds linesBetween{15};
 /// Returns a duration rounded to seconds or minutes: "42 s", "3 min 20 s", "5 h 12 min".
 std::string durationText(double seconds);
 
-/// Stream for the progress, and the time between two lines if the stream is not a terminal.
+/// Output of a progress display: the stream, and the time between two lines if the stream is not a terminal.
 struct ProgressOutput {
     std::FILE* stream = stderr;
     std::chrono::milliseconds between = linesBetween;
@@ -30,8 +30,8 @@ struct ProgressOutput {
 /// appears after a second if more than ten seconds are left.
 class ProgressBar {
   public:
-    /// Starts the display for `total` units of work. `unit` is their name, such as "points"; empty if they
-    /// have no meaning, so that no rate is shown.
+    /// Starts the display for `total` units of work. `unit` is their name, such as "points". If it is empty,
+    /// no rate is shown.
     ProgressBar(std::uint64_t total, const Message& unit, const ReadingStyle& style,
                 const ProgressOutput& out = {});
     ~ProgressBar();

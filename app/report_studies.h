@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-/// Returns the option --with, for the table of options.
+/// Returns the description of the option --with, which adds studies to a report.
 OptionSpec reportStudiesSpec();
 
 /// Studies to include in the report on a scenario, with the settings of the scenario file.
@@ -27,7 +27,8 @@ class ReportStudyPlan {
     /// missing or wrong for a study. Throws CommandError (unsolved) if many blows would take too much work.
     ReportStudyPlan(const Arguments& arguments, const ScenarioDocument& document, std::string path);
 
-    /// Returns the results of the studies. Throws CommandError: unsolved; interrupted.
+    /// Computes the studies requested with --with and returns their results. Throws CommandError: unsolved,
+    /// if a study has no result; interrupted.
     ReportStudies run(const Interruption& interruption) const;
 
   private:

@@ -18,8 +18,8 @@ inline constexpr OptionSpec setOption{"set", "KEY=VALUE",
                                       "change parameters of the scenario, such as rod.length=4.27m beta=0.8",
                                       OptionSpec::Times::list};
 
-/// Returns the options of a command that reads a scenario: --set, the presets, those in `own`, and --signal
-/// with its reading options.
+/// Returns the descriptions of all options of a command that reads a scenario. They are --set, the presets,
+/// those in `own`, and --signal with its reading options.
 std::vector<OptionSpec> scenarioOptions(const std::vector<OptionSpec>& own = {});
 
 /// Help on the operand FILE.
@@ -36,22 +36,23 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
 /// stderr if FILE is a result solved by another method. Throws CommandError.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
-/// Options whose value is a file to read.
+/// Names of the options whose value is the name of a file to read.
 inline constexpr std::string_view inputOptions[] = {"presets", "draws", "signal"};
 
-/// Returns every file that a command reads: its operands, the values of inputOptions, and the CSV file of the
-/// scenario's hammer blow.
+/// Returns every file that a command reads. These are its operands, the values of options such as --signal
+/// (inputOptions), and the CSV file of the scenario's hammer force.
 std::vector<std::string> inputsOf(const Arguments& arguments, const ScenarioDocument& document);
 
-/// Throws CommandError (usage) if `output`, a file that the command writes, is one of inputsOf().
+/// Throws CommandError (usage) if `output`, a file that the command writes, is a file that it also reads (see
+/// inputsOf()).
 void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
                           const ScenarioDocument& document);
 
 /// Throws CommandError (usage) if `output` is one of the `inputs`.
 void checkNotInputFile(const std::string& output, const std::vector<std::string>& inputs);
 
-/// Throws CommandError (usage) if --set sets a parameter that an axis varies, because one would silently undo
-/// the other. `words` are the words that describe `axes`; `scenario` is from loadScenarioInput().
+/// Throws CommandError (usage) if --set sets a parameter that an axis varies, because the axis would
+/// overwrite it. `words` are the command-line words of `axes`; `scenario` is from loadScenarioInput().
 void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
                  std::span<const std::string> words);
 
@@ -62,16 +63,16 @@ void printRemark(const Message& remark, const ReadingStyle& style);
 /// Call it before work that such a value may prolong.
 void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
-/// Returns the scenario of a file, of a result, of standard input ("-") or of a built-in example. A file goes
-/// first if an example has the same name. Applies no options. Throws CommandError with every error in the
-/// file.
+/// Returns the scenario of a file, of a result, of standard input ("-") or of a built-in example. If a file
+/// and an example have the same name, the file is used. Applies no options. Throws CommandError with every
+/// error in the file.
 ScenarioInput loadScenarioFile(const std::string& path, const ReadingStyle& style = plainStyle());
 
-/// Returns the bytes of the file that `path` names, or of the built-in example: the first step of
-/// loadScenarioFile(). Throws CommandError.
+/// Returns the bytes of the file or built-in example that `path` names (first step of loadScenarioFile()).
+/// Throws CommandError.
 std::string inputBytes(const std::string& path, const ReadingStyle& style);
-/// Returns the scenario in these bytes, the second step of loadScenarioFile(); `path` names it in messages.
-/// Throws CommandError with every error in the file.
+/// Returns the scenario in the bytes of a file (second step of loadScenarioFile()); `path` names it in
+/// messages. Throws CommandError with every error in the file.
 ScenarioInput parsedInput(std::string_view bytes, const std::string& path);
 
 /// Throws the CommandError for a scenario that could not be loaded: unreadable input or invalid scenario.

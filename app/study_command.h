@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// Returns the command `drillwave NAME FILE` for a study. It has the options of the study and the common
-/// ones: --json, -o, --si, --plots, --force, --decimal-comma. The study must outlive the command.
+/// Returns the command `drillwave NAME FILE` that runs a study. It accepts the options of the study, and
+/// --json, -o, --si, --plots, --force and --decimal-comma. The study must outlive the command.
 Command studyCommand(const Study& study);
 
 }  // namespace drillwave

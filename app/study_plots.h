@@ -20,27 +20,27 @@ std::vector<std::string> plotFormats(const Arguments& arguments);
 /// Returns true if --plots is given. Studies use this function as Command::draws.
 bool asksForPlots(const Arguments& arguments);
 
-/// Returns the option --plots, for a table of options.
+/// Returns the description of the option --plots, which draws pictures of a study.
 OptionSpec plotsOptionSpec();
 
 /// Pictures of a study, one in each format of --plots.
 class StudyPlots {
   public:
-    /// Returns the pictures beside the file of -o, which has the numbers of the study: FILE.png for FILE.csv.
-    /// Throws CommandError (usage) if -o is missing, standard output or a device.
+    /// Returns an object for the pictures beside the file of -o, which has the numbers of the study: FILE.png
+    /// for FILE.csv. Throws CommandError (usage) if -o is missing, standard output or a device.
     static StudyPlots besideFile(const Arguments& arguments);
-    /// Returns the pictures in the folder of -o, into which the study writes: NAME.png. Throws CommandError
-    /// (usage) if -o is missing or standard output.
+    /// Returns an object for the pictures NAME.png (in each format, with NAME = `name`) in the folder of -o,
+    /// into which the study writes. Throws CommandError (usage) if -o is missing or standard output.
     static StudyPlots inFolder(const Arguments& arguments, std::string_view name);
 
     bool areWanted() const { return !m_order.formats.empty(); }
-    /// Returns `files` with the names of the pictures added, without their folder.
+    /// Returns the file names in `files`, followed by those of the pictures, without folder.
     std::vector<std::string> namesWith(std::vector<std::string> files) const;
     /// Checks that the pictures can be written. Call it before any computation. Throws CommandError: usage if
     /// a picture would replace an input; unwritable output if it may not be overwritten.
     void check(const Arguments& arguments, const ScenarioDocument& document, Overwrite overwrite) const;
-    /// Returns the pictures of a result; none if --plots is not given. Throws CommandError: unwritable
-    /// output; interrupted.
+    /// Returns the pictures of a study's result; none if --plots is not given. Throws CommandError:
+    /// unwritable output; interrupted.
     std::vector<NamedFile> draw(const StudyValue& value, const Drawing* drawing,
                                 const Interruption& interruption) const;
 

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Values of the command line that opens the window.
+/// Contents of the command line that opens the window.
 struct WindowArguments {
     std::string file;                  ///< file to open; empty if none is given
     const Example* example = nullptr;  ///< built-in example to open; nullptr if none is given
@@ -19,8 +19,8 @@ struct WindowArguments {
     const Language* language = nullptr;
 };
 
-/// Returns the values of a command line. Throws CommandError: usage for an unknown option or language, a
-/// misspelt command, or a second file; unreadable input for a file that does not exist.
+/// Parses the command line that opens the window. Throws CommandError: usage for an unknown option or
+/// language, a misspelt command, or a second file; unreadable input for a file that does not exist.
 WindowArguments windowArguments(std::span<const std::string> words);
 
 }  // namespace drillwave

@@ -19,8 +19,8 @@ std::string windowManPage(std::string_view date);
 /// bold.
 std::string manText(std::string_view text);
 
-/// Returns the lines of a help in the markup of man(7). Lines without indent become filled paragraphs, a line
-/// "  word   meaning" becomes a list item, and other indented lines stay as they are.
+/// Returns lines of a help text in the markup of man(7). Lines without indent become filled paragraphs, a
+/// line "  word   meaning" becomes a list item, and other indented lines stay as they are.
 std::string manDetails(std::string_view lines);
 
 }  // namespace drillwave

@@ -35,26 +35,27 @@ enum class ValueKind {
     topic,  ///< a topic of the command `help`
 };
 
-/// Returns the name of a kind in the completion scripts, for example "report_studies".
+/// Returns the name of a kind of command-line value in the completion scripts, for example "report_studies".
 std::string_view name(ValueKind kind);
 
 /// Options of the program itself, which may precede a command.
 inline constexpr std::string_view programOptions[]{"--help", "--version", "--language", "--reset-ui"};
 
-/// Returns the kind of value that an option takes.
+/// Returns the kind of value that an option takes, so that a shell can complete it.
 ValueKind valueKind(const OptionSpec& option);
 
-/// Returns the kind of a command's operands, which is the same for all of them.
+/// Returns the kind of value of the operands of a command, which is the same for all of them.
 ValueKind operandKind(const Command& command);
 
-/// Returns true if words of a kind are completed in stages, each ending at "=", ":" or "@".
+/// Returns true if the shell completes words of a kind in stages, each ending at "=", ":" or "@".
 bool isStaged(ValueKind kind);
 
 /// Returns true if a value of this kind is a list of words separated by commas.
 bool isList(ValueKind kind);
 
-/// Returns all words to offer for a kind; empty for kinds without a list, such as files. Parameters end with
-/// "=" and limits with "@". Words that share a stage, up to "=", ":" or "@", are adjacent.
+/// Returns all words to offer for a kind when a command line is completed; empty for kinds without a list,
+/// such as files. Parameters end with "=" and limits with "@". Words with the same beginning up to "=", ":"
+/// or "@" are adjacent, because completion stops there.
 std::vector<std::string> wordsOf(ValueKind kind);
 
 }  // namespace drillwave

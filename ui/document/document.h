@@ -41,19 +41,19 @@ class Document : public QObject {
     explicit Document(QObject* parent = nullptr, Check check = validate);
 
     const Scenario& scenario() const { return m_scenario; }
-    /// Returns the settings of the design study, which are saved in the scenario file; empty until the user
-    /// makes some.
+    /// Returns the settings of the design study (search for the best design), which are saved in the scenario
+    /// file. Empty until the user makes some.
     const DesignSetup& design() const { return m_design; }
-    /// Replaces the settings of the design study, as one undo step.
+    /// Replaces the settings of the design study, as one undo step. Does nothing if they are equal.
     void setDesign(const DesignSetup& design);
     QUndoStack& undoStack() { return m_undoStack; }
-    /// Returns the units of all fields and results in the window.
+    /// Returns the choice of units for all input fields and results in the window.
     UnitChoice& units() { return m_units; }
     const UnitChoice& units() const { return m_units; }
     /// Returns the path of the scenario file, to which saving writes; empty if there is none.
     const QString& path() const { return m_path; }
     /// Returns the path of the file from which the scenario was read; empty if there is none. It may be a
-    /// result, to which saving does not write.
+    /// file of results, which saving never overwrites; see path().
     const QString& origin() const { return m_origin; }
     /// Returns a path to suggest for saving: that of the scenario file, else a .yaml file beside the file
     /// from which the scenario was read. A new scenario gets a file name made from its title.
@@ -75,38 +75,42 @@ class Document : public QObject {
     /// marked as changed. Saving omits the comment at the top of its text, which describes the original
     /// values.
     bool isChangedExample() const;
-    /// Sets `changed` to a copy of the scenario with other values, set in this order, and with the text that
-    /// saving would write. Leaves the document unchanged. Returns the reason on failure, else an empty text.
-    /// Throws ScenarioError if the text exceeds the size limit of scenario files.
+    /// Sets `changed` to a copy of the scenario with other values, which are set in this order. It contains
+    /// the text that saving the copy would write. Leaves the document unchanged. Returns the reason on
+    /// failure, else an empty text. Throws ScenarioError if the text exceeds the size limit of scenario
+    /// files.
     QString contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const;
-    /// Returns the scenario and its text as last read from or written to the file.
+    /// Returns the scenario and its text as last read from the file or written to it, without later edits.
     const ScenarioDocument& source() const { return m_source; }
     const std::string& savedText() const { return m_source.text; }
 
     /// Returns a new number for a gesture: a group of edits that form one undo step, such as those of a drag.
     int newGesture() { return ++m_gestures; }
-    /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are merged into
-    /// one step. Returns why the value is refused; empty if it was set.
+    /// Sets a parameter to the value `si` (SI units) as one undo step. Edits of one parameter with the same
+    /// number `gesture`, such as those of a drag, are merged. Returns why the value is refused; empty if it
+    /// was set.
     QString assign(const Parameter& parameter, double si, int gesture);
-    /// Sets several parameters in this order as one undo step, such as both axes of a map. Requires at least
-    /// one parameter, each only once. Returns why a value is refused; empty if all were set.
+    /// Sets several parameters in this order as one undo step, such as the two parameters of a clicked point
+    /// of a map. Requires at least one parameter, each only once. Returns why a value is refused; empty if
+    /// all were set.
     QString assign(const std::vector<ParameterValue>& values, int gesture);
-    /// Resets an optional parameter to "not given". Any other parameter gets the value from before the group
-    /// of edits with the number `gesture`; nothing happens if there is no such value.
+    /// Resets an optional parameter to "not given". Any other parameter gets the value that it had before the
+    /// edits with the number `gesture`. Nothing happens if the last edit is not one of these.
     void clear(const Parameter& parameter, int gesture);
-    /// Returns true if the scenario would be valid with that pulse shape; a table, for example, needs points.
+    /// Returns true if the scenario would be valid with this shape of the hammer force. A table, for example,
+    /// needs points.
     bool canHaveShape(PulseShape shape) const;
     void setShape(PulseShape shape);
     void setTitle(const QString& title);
-    /// Sets the values of a preset with their sources as one undo step. Returns the reason on failure, which
-    /// leaves the document unchanged, else an empty text.
+    /// Sets the values of a preset as one undo step. The text of the scenario gets their sources as comments.
+    /// Returns the reason on failure, which leaves the document unchanged, else an empty text.
     QString applyPreset(const Preset& preset);
     /// Replaces the scenario as one undo step; `step` is the step's name. Returns the reason on failure,
     /// which leaves the document unchanged, else an empty text.
     QString useScenario(const Scenario& scenario, const QString& step);
-    /// Replaces the scenario and its text, byte for byte, as one undo step; `step` is the step's name. The
-    /// name of its table file (CSV of the hammer force) is converted to be relative to this document's
-    /// folder. Returns the reason on failure, which leaves the document unchanged, else an empty text.
+    /// Replaces the scenario and its text, byte for byte, as one undo step; `step` is the step's name. If the
+    /// hammer force is in a CSV file, its name is converted to be relative to this document's folder. Returns
+    /// the reason on failure, which leaves the document unchanged, else an empty text.
     QString useContents(const ScenarioDocument& contents, const QString& step);
     /// Reads the hammer force from a CSV file of times and forces, as one undo step. Returns the reasons on
     /// failure, one per line, which leaves the document unchanged, else an empty text.
@@ -114,31 +118,34 @@ class Document : public QObject {
     /// Reads the CSV file of the hammer force again, as one undo step. Returns the reasons on failure, one
     /// per line, else an empty text. Requires that tablePath() is not empty.
     QString reloadTable();
-    /// Returns the path of the CSV file from which the hammer force is read; empty if its points are part of
-    /// the scenario.
+    /// Returns the path of the CSV file from which the hammer force is read. Empty if the hammer force is not
+    /// read from a file.
     QString tablePath() const;
 
     /// Starts a new scenario with the default values, without a file.
     void start();
-    /// Starts a scenario from a text, without a file; `name` names it in messages. Returns the reasons on
+    /// Replaces the scenario by one that is built into the program, such as an example; the document then has
+    /// no file. `text` is its YAML text; `name` stands for a file name in messages. Returns the reasons on
     /// failure, one per line, else an empty text.
     QString startFrom(std::string_view text, const QString& name);
-    /// Opens a scenario file, or the scenario stored in a file of results. A result has no path(), so that
-    /// saving never overwrites it. Returns the reasons on failure, one per line, which leaves the document
-    /// unchanged, else an empty text.
+    /// Opens a scenario file, or the scenario stored in a file of results. For a file of results, path() is
+    /// empty, so that saving never overwrites it. Returns the reasons on failure, one per line, which leaves
+    /// the document unchanged, else an empty text.
     QString open(const QString& path);
-    /// Reads the scenario file again, as one undo step. Returns the reasons on failure, which leaves the
-    /// document unchanged, else an empty text.
+    /// Reads the scenario file again, as one undo step, for example after another program has changed it.
+    /// Returns the reasons on failure, which leaves the document unchanged, else an empty text.
     QString reload();
     /// Restores a scenario that was never saved, so that it has no file of its own. `text` is its YAML text;
     /// `origin` is the file from which it was read, and may be empty. If `isUnsaved`, the document counts as
     /// modified. Returns the reasons on failure, one per line, which leaves the document unchanged, else an
     /// empty text.
     QString restore(const std::string& text, const QString& origin, bool isUnsaved = true);
-    /// Restores unsaved changes of the file `path`, whose contents were `saved`; undo leads back to these.
-    /// Returns the reasons on failure, one per line, else an empty text.
+    /// Restores unsaved changes after a crash. `text` is the changed scenario, and `saved` the contents of
+    /// its file `path`, to which undo leads back. Returns the reasons on failure, one per line, else an empty
+    /// text.
     QString restore(const std::string& text, const QString& path, const std::string& saved);
-    /// Marks the scenario as modified, because its file has changed or was deleted.
+    /// Marks the scenario as modified although the user has not edited it, because its file was changed or
+    /// deleted by others.
     void markUnsaved();
     /// Writes the scenario file, completely or not at all. Returns the reason on failure, which leaves the
     /// document unchanged, else an empty text.
@@ -147,18 +154,19 @@ class Document : public QObject {
   signals:
     /// Emitted before another scenario, with its own file and history, replaces the present one.
     void replaced();
-    /// Emitted when a result of an older version is opened; `changes` says in a sentence which of its numbers
-    /// differ now.
+    /// Emitted when a result file of an older version of the program is opened; `changes` says in a sentence
+    /// which of its numbers differ now.
     void olderResultOpened(const QString& changes);
     /// Emitted when the scenario was written to its file, whose path may have changed.
     void saved();
     void scenarioChanged();
-    /// Emitted when the settings of the design study have changed; the scenario may have changed just before.
+    /// Emitted when the settings of the design study have changed. The scenario may have changed with them,
+    /// which is reported first.
     void designChanged();
-    /// Emitted after another scenario was opened or files were read again. The points of the hammer force are
-    /// then those of their CSV file, if there is one. It follows scenarioChanged().
+    /// Emitted after the hammer force was read from its CSV file, if it has one. This happens when a scenario
+    /// is opened, its file is read again or the CSV file is read. It follows scenarioChanged().
     void tableRead();
-    /// Emitted before a preset changes the scenario.
+    /// Emitted just before a preset (a set of stored values, such as those of a rod) changes the scenario.
     void presetTaken();
     /// Emitted when path, title or modified state may have changed.
     void stateChanged();

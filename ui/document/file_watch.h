@@ -16,12 +16,14 @@ namespace drillwave {
 
 class Document;
 
-/// Time for which a file must stay unchanged before it is read [ms].
+/// Time for which a changed file must stay unchanged before it is read [ms], because programs write a file in
+/// several steps.
 inline constexpr int settleMilliseconds = 200;
 
-/// Watch of the document's file that compares its bytes with those last read or written. Also notices files
-/// that an editor replaces instead of rewriting. Checks again when the program becomes active, for file
-/// systems that report no changes. Saving from this window, or a new time stamp, is no change.
+/// Watch that notices when another program changes or deletes the document's file. It compares the file's
+/// bytes with those last read or written, so that a new time stamp does not count as a change. Also notices
+/// files that an editor replaces instead of rewriting. Checks again when the program becomes active, for file
+/// systems that report no changes.
 class FileWatch : public QObject {
     Q_OBJECT
 
@@ -31,21 +33,22 @@ class FileWatch : public QObject {
     /// Starts watching the document's file. The document must outlive this object.
     explicit FileWatch(const Document& document, QObject* parent = nullptr);
 
-    /// Returns how the file compares with the document now; `same` if the document has no file.
+    /// Returns how the scenario file on the disk compares with the document now; `same` if the document has
+    /// no file.
     State state() const;
-    /// Compares the file with the document. Emits differs() if a new difference is found, and agrees() if
-    /// there is none.
+    /// Compares the scenario file with the document. Emits differs() if a new difference is found, and
+    /// agrees() if there is none.
     void check();
-    /// Accepts the present difference between file and document: it is not reported again, and saving needs
-    /// no confirmation.
+    /// Accepts the present difference between the file and the document, because the user wants to keep the
+    /// document. It is not reported again, and saving needs no confirmation.
     void accept();
     /// Returns true if saving would overwrite a change of the file that the user has not accepted.
     bool savingNeedsConsent() const;
 
   signals:
     void differs(drillwave::FileWatch::State state);
-    /// Emitted if the file agrees with the document, or if the document has a new file, for which no
-    /// difference is known.
+    /// Emitted if the file agrees with the document. Also emitted when the document gets another file,
+    /// because differences of the former file no longer matter.
     void agrees();
 
   private:
@@ -64,9 +67,10 @@ class FileWatch : public QObject {
 
 // Watch that reports when the CSV file of a measured hammer force is changed by another program.
 
-/// Watch of the CSV file with the hammer force of the document. Also notices files that a program replaces
-/// instead of rewriting, and checks again when the program becomes active. Compares contents; only for files
-/// larger than largestCompared does a new time stamp count as a change.
+/// Watch that notices when another program changes the CSV file with the hammer force of the document. Also
+/// notices files that a program replaces instead of rewriting, and checks again when the program becomes
+/// active. Compares contents; only for files larger than largestCompared does a new time stamp count as a
+/// change.
 class TableWatch : public QObject {
     Q_OBJECT
 
@@ -76,20 +80,23 @@ class TableWatch : public QObject {
 
     enum class State { changed, missing };
 
-    /// Starts watching the file of the hammer force. The document must outlive this object.
+    /// Starts watching the CSV file from which the hammer force of the document is read. The document must
+    /// outlive this object.
     explicit TableWatch(const Document& document, QObject* parent = nullptr);
 
-    /// Compares the file with the points in the document. Emits differs() once for each change since they
-    /// were read.
+    /// Compares the CSV file with the points that the document has read from it. Emits differs() once for
+    /// each change of the file.
     void check();
 
   signals:
     void differs(drillwave::TableWatch::State state);
-    /// Emitted if the points in the document agree with the file, or if there is no such file.
+    /// Emitted if the CSV file still contains the points that the document has read from it, or if the hammer
+    /// force has no CSV file.
     void agrees();
 
   private:
-    /// Fingerprint of a file: size, time and digest; size −1 if the file does not exist.
+    /// Fingerprint of a file, which shows whether the file has changed: size, time and digest. The size is −1
+    /// if the file does not exist.
     struct Stamp {
         qint64 size = -1;
         QDateTime time;
@@ -98,8 +105,8 @@ class TableWatch : public QObject {
     };
     static Stamp stampOf(const QString& path, const Stamp& before);
     static bool isSame(const Stamp& a, const Stamp& b);
-    /// Points of the hammer force, with the fingerprint (size, time and digest) of their CSV file when they
-    /// were read.
+    /// Points of a hammer force read from a CSV file, with the fingerprint of that file (size, time and
+    /// digest) when they were read. It shows later whether the file has changed.
     struct Reading {
         QString path;
         TablePoints points;

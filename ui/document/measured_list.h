@@ -19,7 +19,7 @@ class MeasuredList : public QObject {
     /// Makes an empty list whose changes are steps of `history`, which must outlive the list.
     explicit MeasuredList(QUndoStack& history, QObject* parent = nullptr);
 
-    /// Largest number of signals; each one has its own line style.
+    /// Largest number of measured signals in the list; each one has its own line style.
     static constexpr std::size_t most = 8;
 
     const std::vector<MeasuredSignal>& signalList() const { return m_signals; }
@@ -28,8 +28,9 @@ class MeasuredList : public QObject {
     void add(MeasuredSignal signal);
     /// Removes the signal at `index`; does nothing if there is none.
     void remove(std::size_t index);
-    /// Sets the time shift of a signal [s]; does nothing for an invalid index or a value that is not finite.
-    /// Successive shifts with the same `gesture` form one undo step; a gesture of 0 forms none.
+    /// Sets the time shift of a signal [s]. Does nothing for an invalid index or a value that is not finite.
+    /// Successive shifts with the same `gesture` are merged into one undo step, but with gesture 0 each shift
+    /// is a step.
     void setTimeShift(std::size_t index, double seconds, int gesture = 0);
 
   signals:

@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Presets of one file, or the built-in ones.
+/// Presets (named sets of values for a rod, hammer, rock or section) of one file, or the built-in ones.
 struct PresetSource {
     QString path;  ///< path of the file; empty for the built-in presets
     std::vector<Preset> presets;
@@ -24,20 +24,22 @@ class PresetLibrary {
 
     /// Reads the user's files again: presets.yaml in folder(), if it exists, and the files added with add().
     void reload();
-    /// Returns all sources of presets; the first one is always the built-in presets.
+    /// Returns all sources of presets (files and the built-in presets); the first one is always the built-in
+    /// presets.
     const std::vector<PresetSource>& sources() const { return m_sources; }
-    /// Returns the first preset of a kind whose values are those of the scenario, or nullptr.
+    /// Returns the first preset of this kind whose values are all the same as in the scenario; nullptr if
+    /// there is none.
     const Preset* matching(PresetKind kind, const Scenario& scenario) const;
 
     /// Adds a file of presets for this and later runs of the program. Returns the reasons if it cannot be
     /// used, one per line, else an empty text.
     QString add(const QString& path);
-    /// Returns true if the file was added with add(), so that it can be removed.
+    /// Returns true if the file was added with add(), and can be removed with remove().
     bool wasAdded(const QString& path) const;
-    /// Removes a file that was added from the sources; the file itself is not deleted.
+    /// Removes a file, added with add(), from the sources of presets. The file itself is not deleted.
     void remove(const QString& path);
 
-    /// Returns the folder of the user's own presets.yaml; it need not exist.
+    /// Returns the folder of presets.yaml, the file of the user's own presets. The folder need not exist.
     static QString folder();
 
   private:

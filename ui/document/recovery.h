@@ -26,8 +26,8 @@ class Document;
 
 // Reading the unsaved changes of instances of the program that have crashed.
 
-/// Pinned runs (results kept for comparison) and measured signals of a window, which are stored in the
-/// recovery file with the scenario.
+/// Work of a window besides the scenario: pinned runs (results kept for comparison) and measured signals.
+/// They are stored in the recovery file too.
 struct WorkBeside {
     std::vector<KeptRun> runs;  ///< pinned runs: results kept for comparison
     std::vector<MeasuredSignal> measured;
@@ -54,18 +54,19 @@ struct UnsavedScenario {
 /// `record`. Throws ScenarioError if the scenario exceeds the size limit of scenario files.
 QByteArray recoveryBytes(const ScenarioDocument& contents, const UnsavedScenario& record);
 
-/// Recovery file of an instance that has crashed. While this object exists, no other instance takes the file.
+/// Recovery file of an instance of the program that has crashed. While this object exists, no other instance
+/// takes the file.
 class LostChanges {
   public:
     LostChanges(const QString& file, std::unique_ptr<QLockFile> lock);
 
     const UnsavedScenario& scenario() const { return m_scenario; }
-    /// Returns why the file cannot be used; empty if it can.
+    /// Returns why the recovery file cannot be used, such as damaged contents; empty if it can.
     const QString& problem() const { return m_problem; }
-    /// Deletes the recovery file.
+    /// Deletes the recovery file, because its changes have been restored or the user does not want them.
     void discard();
-    /// Renames the file so that it is not found again, and returns its new path, or the old one if renaming
-    /// fails.
+    /// Renames an unusable recovery file, so that it is not offered to the user again. Returns its new path,
+    /// or its old path if renaming fails.
     QString setAside();
 
   private:
@@ -85,26 +86,29 @@ class Recovery : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes the folder and starts watching the document, which must outlive this object.
+    /// Creates the folder and starts watching the document, which must outlive this object.
     Recovery(const Document& document, const QString& folder, QObject* parent = nullptr);
-    /// Leaves the recovery file on the disk; call end() first if nothing needs recovery.
+    /// Leaves the recovery file on the disk, because the program may be ending unexpectedly. Call end() first
+    /// if nothing needs recovery.
     ~Recovery() override;
 
     /// Sets the function that returns the pinned runs and measured signals to store with the scenario.
     void keepBeside(std::function<WorkBeside()> beside) { m_beside = std::move(beside); }
-    /// Writes the file soon, because pinned runs or measured signals have changed.
+    /// Writes the recovery file within a second, because pinned runs or measured signals have changed.
     void writeSoon();
-    /// Writes the unsaved changes to the recovery file at once, and returns when they are on the disk.
+    /// Writes the unsaved changes to the recovery file at once. Returns when the file is written.
     void writeNow();
-    /// Writes the recovery file even if nothing is unsaved, for a new window that restores its contents
-    /// without asking. Returns false on failure.
+    /// Writes the recovery file even if nothing is unsaved, because the window is about to be restarted. The
+    /// new window restores the contents without asking. Returns false on failure.
     bool writeForRestart();
-    /// Deletes the recovery file, because nothing needs recovery any more. A later change writes it again.
+    /// Deletes the recovery file; called when the window closes normally. A later change of the document
+    /// would write the file again.
     void end();
     QString file() const { return m_file; }
 
   signals:
-    /// Emitted once if changes cannot be stored; `problem` is the reason.
+    /// Emitted when unsaved changes cannot be written to the recovery file, but only the first time.
+    /// `problem` is the reason.
     void failed(const QString& problem);
 
   private:

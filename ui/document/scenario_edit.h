@@ -16,27 +16,27 @@ namespace drillwave {
 /// kinds of the undo stack of a document, so that no two share a number.
 enum class UndoKind { scenario = 1, design, measured };
 
-/// Undo step that swaps the document's scenario with a stored one, so that nothing is copied. Text and design
-/// settings, if the step changes them, are set from stored copies. Edits of the same parameter within one
-/// gesture (such as a drag) are merged.
+/// Undo step that changes the document's scenario by swapping it with a stored one, which avoids copies. Text
+/// and design settings, if the step changes them too, are set from stored copies. Edits of the same parameter
+/// within one gesture (such as a drag) are merged.
 class ScenarioEdit : public QUndoCommand {
   public:
-    /// Makes a step that changes `current` to `after` and calls `changed` after each swap. Both must stay
-    /// valid during its lifetime. `key` names the edited parameter; a step with an empty key merges with no
-    /// other.
+    /// Makes a step that changes `current` to `after`, and back on undo. It calls `changed` after each
+    /// change. `current` must outlive the step. `key` names the edited parameter; a step with an empty key is
+    /// never merged.
     ScenarioEdit(Scenario& current, std::function<void()> changed, Scenario after, QString key, int gesture);
 
-    /// Returns the scenario before the edit. Requires that the step has been executed and is not undone at
-    /// present.
+    /// Returns the scenario before the edit. Requires that the edit is in effect, so that undo() has not been
+    /// called or redo() followed.
     const Scenario& before() const { return m_other; }
     bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
 
-    /// Extends the step: it also changes `current`, the text of the scenario, to `after`, and undo restores
-    /// its present value. `current` must outlive this step.
+    /// Extends the step so that it also changes `current`, the YAML text of the scenario, to `after`. Undo
+    /// restores the text that `current` has now. `current` must outlive this step.
     void takeText(std::string& current, std::string after);
 
-    /// Extends the step: it also changes `current`, the settings of the design study, to `after`, and undo
-    /// restores their present value. `current` must outlive this step.
+    /// Extends the step so that it also changes `current`, the settings of the design study, to `after`. Undo
+    /// restores the settings that `current` has now. `current` must outlive this step.
     void takeDesign(DesignSetup& current, DesignSetup after);
 
     void undo() override { exchange(m_textBefore, m_designBefore); }
@@ -62,12 +62,12 @@ class ScenarioEdit : public QUndoCommand {
 
 // Undo step of the settings of a document's design study.
 
-/// Undo step that swaps the settings of the design study with stored ones. Consecutive edits of the same
-/// item, such as one uncertain input, are merged into one step.
+/// Undo step that swaps the settings of the design study with stored ones. Consecutive edits of one list
+/// item, such as an uncertain input, are merged into one step.
 class DesignEdit : public QUndoCommand {
   public:
-    /// Makes a step that changes `current` to `after` and calls `changed` after each swap. Both must stay
-    /// valid during its lifetime.
+    /// Makes a step that changes `current` to `after`, and back on undo. It calls `changed` after each
+    /// change. `current` must outlive the step.
     DesignEdit(DesignSetup& current, std::function<void()> changed, DesignSetup after);
 
     void undo() override { exchange(); }

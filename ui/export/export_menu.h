@@ -17,13 +17,13 @@ class ExportMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Functions that provide the data of the blow that the menu exports.
+    /// Functions by which the menu gets the blow to export.
     struct Sources {
-        /// Function that returns the result for the present scenario, solved or failed; nullptr until it is
+        /// Function that returns the answer for the present scenario, solved or failed; nullptr until it is
         /// computed.
         std::function<SolvedBlowPtr()> blow;
-        /// Function that calls `then` once the result is solved and shown: at once, later, or never if
-        /// cancelled. `what` is the name of the waiting export for messages.
+        /// Function that calls `then` when the result is solved and shown: at once or later; never if the
+        /// user cancels. `what` is the name of the waiting export for messages.
         std::function<void(const QString& what, std::function<void()> then)> whenSolved;
     };
 
@@ -32,8 +32,8 @@ class ExportMenu : public QMenu {
 
     /// Sets the exports that the visible page offers, which become entries of the menu.
     void setExports(const QList<PageExport>& exports);
-    /// Asks for a file and writes one export to it. Tables of numbers begin with the scenario as comment
-    /// lines.
+    /// Asks for a file name and writes one export (plot or table of the page) to it. Tables of numbers begin
+    /// with the scenario as comment lines.
     void save(const PageExport& wanted);
     /// Shows the present numbers of the page as a table in a separate window.
     void showNumbers();
@@ -65,10 +65,11 @@ class ExportMenu : public QMenu {
     void writePicture(const QString& path, const PageExport& wanted, const PictureChoice& choice);
     /// Returns true if the scenario could not be solved, and shows the reason to the user.
     bool isUnsolved();
-    /// Calls `use` with the result once it is solved; `what` is the name of the waiting export for messages.
+    /// Calls `use` with the result as soon as it is solved. `what` is the name of the waiting export for
+    /// messages.
     void withRun(const QString& what, const UseRun& use);
-    /// Returns the result as it is written to files. Throws ScenarioError if the scenario, with the points of
-    /// its table, is too large for a file.
+    /// Returns the result of the blow in the form in which it is written to files. Throws ScenarioError if
+    /// the scenario, with the points of its force table, is too large for a file.
     SolvedRun solvedRun() const;
     QString suggestion(const QString& ending) const;
     void finish(const QString& path, const QString& problem);

@@ -14,7 +14,8 @@ class NumbersWindow : public QDialog {
     Q_OBJECT
 
   public:
-    /// Shows the tables, pairs of a title and a CSV text. Requires at least one.
+    /// Makes a window that shows the tables, each given as a pair of title and CSV text. Requires at least
+    /// one table.
     NumbersWindow(const QString& title, const QList<std::pair<QString, QByteArray>>& tables, QWidget* parent);
 
   private:

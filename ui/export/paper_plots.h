@@ -23,7 +23,7 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Plot with its default size [mm]. Requires a QApplication (any platform).
+/// Plot for a file, with its default size [mm]. Requires a QApplication (any platform).
 struct PaperPlot {
     std::shared_ptr<QCustomPlot> plot;
     Millimetres size;
@@ -33,14 +33,14 @@ struct PaperPlot {
 /// locale, SI.
 struct PaperReader {
     UnitSystem system = UnitSystem::si;  ///< units for scenarios given in physical units
-    /// Units chosen for individual kinds of quantity, which override `system`.
+    /// Units chosen for individual kinds of quantity; they override `system`.
     ChosenUnits chosen = {};
     QLocale locale = QLocale::c();
-    /// True if words are in another language than English, namely that set by speak().
+    /// Whether the words of the plot are in the language set by speak(), instead of English.
     bool isSpokenTo = false;
 
-    /// Returns the present language, number format and units of the window; a default object if they equal
-    /// those of the command line.
+    /// Returns the present language, number format and units of the window for plots in files. Returns a
+    /// default object if they equal those of the command line.
     static PaperReader of(const UnitChoice& units);
     /// Returns true if language, number format and units are those of the command line: English, C locale,
     /// SI.
@@ -52,8 +52,8 @@ struct PaperReader {
 /// Returns an empty plot for a file, with numbers in the given locale.
 std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale = QLocale::c());
 
-/// Returns a plot for a file, drawn by the plot class of a page. `Plot` is a child of a QCustomPlot with
-/// setStyle() and present().
+/// Returns a plot for a file, drawn by the class `Plot` that also draws a page of the window. `Plot` is a
+/// child of a QCustomPlot with setStyle() and present().
 template <class Plot, class Shown>
 PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale = QLocale::c()) {
     PaperPlot paper{emptyPaperPlot(locale), size};
@@ -65,9 +65,9 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale 
 
 // The functions that take a Blow require it to be solved with its histories.
 
-/// Returns the plot of waves, impact force, impulse and momentum over time. If the scenario has units,
-/// `measured` signals are drawn over the curves. The waves are those at the first signal measured inside the
-/// rod or string.
+/// Returns the plot of waves, impact force, impulse and momentum over time. If the scenario has units, the
+/// `measured` signals are drawn over the curves. The waves are shown at the position of the first signal
+/// measured inside rod or string (see shareOnPaper()).
 PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {},
                         const std::vector<MeasuredSignal>& measured = {});
 /// Returns the first signal that was measured inside the rod or string; nullptr if there is none.
@@ -83,19 +83,20 @@ PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
 PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const PaperReader& reader = {});
 /// Returns the drawing of hammer and drill string to scale.
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});
-/// Returns the picture of the force in the rod over position and time.
+/// Returns the picture of the force in the rod or string over position and time.
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
-/// Returns the plot of a figure that a study has made for a scenario, with a mark at `here`.
+/// Returns the plot of a figure that a study has computed. The mark `here` shows the point of the present
+/// scenario.
 PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader = {},
                           const std::optional<FigurePoint>& here = {});
-/// Returns the plot of many blows in sequence, or of the reason why there is nothing to show. If `stop` is
-/// requested, the curve of e over the gap is missing.
+/// Returns the plot of many blows in sequence; if there is nothing to show, a plot with the reason. If `stop`
+/// is requested, the curve of e over the gap is missing.
 PaperPlot drillingPaperPlot(const DrillingResult& result, const std::stop_token& stop,
                             const PaperReader& reader = {});
 /// Returns the plot of a scan: results of many blows over the parameter that the scan varies.
 PaperPlot scanPaperPlot(const DrillingScan& scan, const PaperReader& reader = {});
-/// Returns the plot of the designs of a design study. Requires that the study has found a design that is best
-/// for the uncertain inputs.
+/// Returns the plot of the designs of a design study. Requires that the study has found a best design
+/// (BestDesigns::robust).
 PaperPlot designPaperPlot(const DesignReport& report, const PaperReader& reader = {});
 
 }  // namespace drillwave

@@ -11,14 +11,14 @@
 
 namespace drillwave {
 
-/// Pictures as files, or the reason why they could not be drawn.
+/// Pictures as files in memory, or the reason why they could not be drawn.
 struct Pictures {
     std::vector<NamedFile> files;
     QString problem;  ///< reason in one line; empty on success
 };
 
-/// Returns pictures of the plot, one in each format of the order, PNG at 200 dpi. `title` is stored in the
-/// files' properties. After a stop, returns only those drawn so far. With text in the C locale and
+/// Returns pictures of the plot, one for each format in `order`; PNG has 200 dpi. `title` is stored in the
+/// files' properties. After a stop request, returns only those drawn so far. With text in the C locale and
 /// PlotStyle::forPaper(), PNG and SVG are reproducible byte for byte on one machine. Requires a QApplication
 /// (any platform, also offscreen).
 Pictures renderPictures(QCustomPlot& plot, Millimetres size, const QString& title, const PictureOrder& order);

@@ -17,8 +17,8 @@ namespace drillwave {
 /// The file rock.* has force over penetration (120 × 90 mm).
 /// The file wave_picture.* has force over position and time (180 × 110 mm).
 /// The file rod.* has the largest stresses along rod or string (180 × 110 mm).
-/// Requires a blow solved with Detail::histories, for drill strings with its waves stored. A stop ends the
-/// work between two pictures.
+/// Requires a blow solved with Detail::histories; a drill string also needs its stored waves. A stop request
+/// ends the work after the present picture.
 Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
                        const std::stop_token& stop = {}, const PaperReader& reader = {});
 

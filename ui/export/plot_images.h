@@ -11,21 +11,22 @@
 
 namespace drillwave {
 
-/// Text object handler that draws plots as vectors where a text has images of the same names. The text must
-/// be drawn by a QCPPainter.
+/// Handler of text objects that replaces images in a text by the plots of the same names, drawn as vectors.
+/// The text must be drawn by a QCPPainter.
 class PlotImages : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
 
   public:
-    /// Takes the plots, which must outlive this object. `unit` is the resolution of the text's layout [1/in].
+    /// Stores a reference to the plots, which must outlive this object. `unit` is the resolution of the text
+    /// layout [dots per inch].
     PlotImages(const std::vector<ReportPlot>& plots, int unit) : m_plots(plots), m_unit(unit) {}
 
-    /// Scales the heights of plots by `share`, 0 … 1. Plots above 60 mm are not made lower than 60 mm; the
-    /// heights of lower plots and all widths do not change. The caller must then lay out the text again.
+    /// Scales the heights of all plots by `share`, 0 … 1, to save a page. Heights above 60 mm do not get
+    /// below 60 mm; smaller heights and all widths stay. The caller must then lay out the text again.
     void setHeight(double share) { m_height = share; }
-    /// Sets the page that is drawn, in coordinates of the text. Plots on other pages are left out, because a
-    /// plot ignores clipping.
+    /// Sets the page to draw, as a rectangle in coordinates of the text. Plots on other pages are left out,
+    /// because a plot ignores clipping.
     void setPage(const QRectF& page) { m_page = page; }
 
     QSizeF intrinsicSize(QTextDocument* document, int position, const QTextFormat& format) override;

@@ -11,17 +11,17 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Returns a copy of the pinned runs (results kept for comparison) in which each solved run has the margin of
-/// its feed force. This solves blows with many gaps for each run, so do not call it in the window's thread.
+/// Returns a copy of the pinned runs (results kept for comparison), with the margin of the feed force of each
+/// solved run. This solves many blows for each run, so do not call it in the window's thread.
 RunList withMargins(const RunList& runs, const std::stop_token& stop);
 
-/// Returns a table of inputs that differ and of results, for a solved blow and the solved runs, in the units
-/// of the window. Empty if no run is solved.
+/// Returns a table that compares a solved blow with the pinned runs (results kept for comparison). It
+/// contains inputs that differ, and results, in the units of the window. Empty if no run is solved.
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
 
-/// Returns a table of the deviations between measured signals and the solved blow; empty without signals.
-/// They cover the time span of the report's plot and are in the units of the window. Requires a scenario with
-/// units and a blow with histories.
+/// Returns a table of the deviations between measured signals and the solved blow; empty without signals. The
+/// deviations cover the time span of the report's plot and are in the units of the window. Requires a
+/// scenario with units and a blow with histories.
 ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Blow& blow,
                            const UnitChoice& units);
 

@@ -11,9 +11,9 @@ class QPaintDevice;
 
 namespace drillwave {
 
-/// Text document of a report, from reportHtml(), with its plots. Headings stay with the text below them and
-/// captions with their plots. Tables repeat their header on each page. Plots are made lower if that saves a
-/// nearly empty last page.
+/// Layout of a report on pages: the text of reportHtml() with its plots. Headings stay with the text below
+/// them and captions with their plots. Tables repeat their header on each page. Plots are made lower if that
+/// saves a nearly empty last page.
 class ReportDocument {
   public:
     /// Lays out the report on pages of size `page`, in units of the device. Plots and device must outlive the
@@ -32,7 +32,7 @@ class ReportDocument {
     enum class Ending { inFlow, ownPage };
 
     void layOut(double plotHeight, Ending place);
-    /// Returns the heading with which the report's last part begins.
+    /// Returns the heading of the last part of the report.
     QTextBlock ending() const;
     void breakBefore(const QTextBlock& heading);
     void keepTogether();

@@ -14,9 +14,9 @@ namespace drillwave {
 /// a QApplication (any platform, also offscreen).
 bool printReport(const BlowReport& report, const PaperReader& reader, QPrinter& printer);
 
-/// Returns the report in the formats of the order, "html" and "pdf", which have the same words and plots.
-/// After a stop, returns only those finished. The HTML is reproducible byte for byte on one machine. Requires
-/// a solved blow and a QApplication (any platform, also offscreen).
+/// Returns the report on a blow as files, one for each format in `order` ("html" or "pdf"), with the same
+/// words and plots. After a stop request, returns only the finished files. The HTML is reproducible byte for
+/// byte on one machine. Requires a solved blow and a QApplication (any platform, also offscreen).
 Pictures drawReport(const BlowReport& report, const PictureOrder& order, const PaperReader& reader = {});
 
 }  // namespace drillwave

@@ -10,9 +10,9 @@ class QPagedPaintDevice;
 
 namespace drillwave {
 
-/// Draws the words of reportHtml() and the plots, as vectors, on pages with margins of 15 mm. Title and
-/// program are above each page, its number is below. A4 without studies takes two to five pages. Returns
-/// false if the device accepts no pages, for example an unplugged printer.
+/// Draws the text of reportHtml() and the plots, as vectors, on pages with margins of 15 mm. Each page has
+/// the title and the program's name at the top, and its number at the bottom. Returns false if the device
+/// accepts no pages, for example an unplugged printer.
 bool drawReportPages(const BlowReport& report, const std::vector<ReportPlot>& plots,
                      const ReadingStyle& style, QPagedPaintDevice& device);
 

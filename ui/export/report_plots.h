@@ -10,15 +10,14 @@
 
 namespace drillwave {
 
-/// Plot of a report with its caption. `picture.source` is the name under which the text of the report refers
-/// to the plot.
+/// Plot of a report with its caption. In the text of the report, `picture.source` is the name of the plot.
 struct ReportPlot {
     ReportPicture picture;
     PaperPlot paper;
 };
 
-/// Returns the plots of a report for which there are data. A stop ends the work early; the plots must not be
-/// used then.
+/// Returns the plots of a report; plots without data are left out. After a stop request, the plots must not
+/// be used.
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
                                     const std::stop_token& stop);
 

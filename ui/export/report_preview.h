@@ -17,25 +17,25 @@ class QPushButton;
 
 namespace drillwave {
 
-/// Returns the heading of reports: project, author and customer as last entered, and today's date if the user
-/// wants one.
+/// Returns the heading of new reports: project, author and customer as last entered, and today's date if the
+/// user has chosen to print it.
 ReportHead rememberedHead();
 
-/// Window with the pages of a report; it stays open while the scenario is edited.
+/// Window that shows the pages of a report; it stays open while the scenario is edited.
 class ReportPreview : public QWidget {
     Q_OBJECT
 
   public:
     explicit ReportPreview(QWidget* parent);
 
-    /// Shows a report; its heading follows the fields when these are edited.
+    /// Shows the pages of a report. If the user edits the fields for its heading, the pages change too.
     void present(const BlowReport& report, const PaperReader& reader);
     /// Enables the button Update, because the pages are those of an earlier scenario; false disables it.
     void setOutOfDate(bool outOfDate);
     int pageCount() const;
 
   signals:
-    /// Emitted when the user asks for the pages of the present scenario.
+    /// Emitted when the user asks to show the pages for the present scenario instead.
     void updateRequested();
     /// Emitted when the user asks to write the report to a file.
     void writeRequested();

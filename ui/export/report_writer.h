@@ -21,12 +21,13 @@ class ReportWriter : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes the commands. `window` becomes the parent; document and questions must outlive the writer.
+    /// Makes the menu commands of the report. `window` becomes the parent; document and questions must
+    /// outlive the writer.
     ReportWriter(Document& document, Questions& questions, QWidget* window);
 
     /// Sets the pinned runs (results kept for comparison) with which later reports compare the blow.
     void setRuns(RunListPtr runs);
-    /// Sets the function that returns the studies of future reports.
+    /// Sets a function that returns the results of studies to include in later reports.
     void setStudies(std::function<ReportStudies()> studies) { m_studies = std::move(studies); }
     /// Sets the measured signals that later reports draw over the computed curves. The list must outlive the
     /// writer.
@@ -36,7 +37,7 @@ class ReportWriter : public QObject {
     QAction* action() const { return m_action; }
     QAction* previewAction() const { return m_previewAction; }
     QAction* printAction() const { return m_printAction; }
-    /// Returns the background work on the report, which can be stopped.
+    /// Returns the state of the background work on the report, by which it can also be stopped.
     StudyActivity& activity() { return m_job; }
     /// Asks for a file and writes the report on the present scenario to it. Cancels an earlier report that is
     /// not finished.

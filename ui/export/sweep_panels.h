@@ -9,9 +9,9 @@
 
 namespace drillwave {
 
-/// Returns one panel for each output of a sweep. Its curves run over the axis with the most values; each
-/// value of the other axis has a curve. A row that was not solved leaves a gap. Requires that
-/// pictureProblem() is empty.
+/// Returns one panel of curves for each output of a sweep. The horizontal axis is the parameter with the most
+/// values; each value of the other parameter has a curve. A row that was not solved leaves a gap. Requires
+/// that pictureProblem() is empty.
 std::vector<FigurePanel> sweepPanels(const SweepRows& rows);
 
 }  // namespace drillwave

@@ -27,8 +27,8 @@ class ImportPlot;
 class PlotWidget;
 class TableFields;
 
-/// Dialog that stays open beside the window until it is closed. When it emits wanted(), its owner should use
-/// the result and close the dialog. The file is read in another thread.
+/// Dialog for importing a signal, which stays open beside the window. When it emits wanted(), its owner uses
+/// the result and closes the dialog. The file is read in another thread.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
@@ -40,22 +40,24 @@ class ImportDialog : public QDialog {
     QString path() const { return m_path; }
     ImportUse use() const;
     void setUse(ImportUse use);
-    /// Returns the signal for the present choices; nullptr while it is not computed or cannot be used.
+    /// Returns the imported signal for the present choices; nullptr until it is computed, or if it cannot be
+    /// used.
     const ShapedSignal* result() const;
     /// Returns the result as a measured signal with its name and position. Requires that result() is not
     /// nullptr.
     MeasuredSignal measured() const;
-    /// Shows in the dialog why the result could not be used.
+    /// Shows in the dialog the reason why its owner could not use the result.
     void refuse(const QString& reason);
-    /// Returns true while the result is being computed.
+    /// Returns true while the imported signal for the present choices is being computed.
     bool isBusy() const;
-    /// Returns the present settings of the recorder: columns, units, gauge and amplifier.
+    /// Returns the present settings for reading files of this measuring instrument: columns, units, gauge and
+    /// amplifier.
     SignalOptions settings() const;
     /// Returns the name under which the user wants to store the present settings for files of one recorder
     /// (measuring instrument).
     QString recorder() const;
-    /// Offers `recorders`, which are stored settings for files of one measuring instrument each, by name.
-    /// Also offers the settings of the last import; `last` has none if there was no import.
+    /// Offers the `recorders` by name: stored settings for the files of one measuring instrument each. Also
+    /// offers the settings of the last import, `last`; they are empty if there was no import.
     void offer(std::vector<Recorder> recorders, Recorder last);
 
   signals:
@@ -79,8 +81,8 @@ class ImportDialog : public QDialog {
     void showState();
     QString obstacle() const;
 
-    /// Values that the dialog proposes as soon as the record has been read: the zero line, then sign and
-    /// times of the signal, or nothing.
+    /// Values that the dialog proposes next: the zero line as soon as the record is read, then sign and times
+    /// of the signal, then nothing.
     enum class Proposal { zero, signAndTimes, none };
 
     QString m_path;

@@ -22,26 +22,27 @@ namespace drillwave {
 class PlotWidget;
 class UnitChoice;
 
-/// All inputs on which the result of an import depends.
+/// All choices in the import dialog that affect the imported signal.
 struct ImportQuestion {
     QString path;
     SampleSource source;
     SignalRecipe recipe;
     Scenario scenario = {};  ///< scenario of the imported blow, for computing its e
-    /// True to leave out samples as long as the error stays below thinningError. It is set if the user chose
-    /// no number of points.
+    /// Whether to leave out as many samples as the permitted error thinningError allows. True if the user has
+    /// not chosen a number of points.
     bool isThinned = false;
     bool operator==(const ImportQuestion&) const = default;
 };
 
-/// Result of an ImportQuestion: the signal, and the whole record to be drawn behind it.
+/// Preview of an import, computed for an ImportQuestion: the imported signal, and the whole record, which is
+/// drawn in a faint colour.
 struct ImportPreview {
     QString problem;      ///< why the file cannot be read, then all else is empty; empty on success
     ShapedSignal signal;  ///< imported signal; has a `problem` of its own
-    /// Effect of leaving out samples; only for hammer blows.
+    /// Effect of leaving out samples on the blow; only for hammer blows.
     std::optional<ThinningEffect> effect = {};
-    /// Points of the whole record: time [s], force [N] relative to the zero line; reduced to the visible
-    /// detail.
+    /// Points of the whole record for the plot: time [s] and force [N] relative to the zero line. They are
+    /// reduced to what the plot can show.
     QPolygonF record;
     std::size_t samples = 0;               ///< number of samples in the record
     std::size_t skipped = 0;               ///< number of skipped rows
@@ -57,11 +58,12 @@ struct ImportPreview {
     bool hasBothSigns = false;
 };
 
-/// Function that computes import previews. It keeps the samples of the last file, so that each file is read
-/// only once.
+/// Function object that computes import previews. It keeps the samples of the last file, so that each file is
+/// read only once.
 class ImportStudy {
   public:
-    /// Returns the preview for a question. Called in the job's thread, one call at a time.
+    /// Computes the preview for the present choices of the import dialog. Called in the job's thread, one
+    /// call at a time.
     ImportPreview operator()(const ImportQuestion& question, const StudyFeed<ImportPreview>& feed);
 
   private:
@@ -75,30 +77,31 @@ class ImportStudy {
 
 // View of the first lines of an imported file, with line numbers.
 
-/// Read-only text view, a few lines high.
+/// Read-only view of the first lines of an imported file, a few lines high.
 class FileLines : public QPlainTextEdit {
     Q_OBJECT
 
   public:
     explicit FileLines(QWidget* parent = nullptr);
 
-    /// Shows the lines, and scrolls to the first sample and marks it. `firstSample` is its line, counted from
-    /// 1.
+    /// Shows lines of a file, scrolls to the first sample and marks it. `firstSample` is the number of its
+    /// line, counted from 1.
     void present(const std::vector<std::string>& lines, std::size_t firstSample);
 };
 
 // Plot of an import: the whole record in faint colour, and the imported part over it.
 
-/// Plot of an import's preview; a child object of the plot widget.
+/// Plot of the record in the import dialog, with the part to be imported. It is a child object of the plot
+/// widget.
 class ImportPlot : public StudyFrame {
     Q_OBJECT
 
   public:
-    /// Makes an empty preview. `units` must outlive it.
+    /// Makes an empty plot for the preview of an import. `units` must outlive it.
     ImportPlot(PlotWidget* plot, const UnitChoice& units);
 
-    /// Shows a preview. `shift` is the time in the record at which the signal's own time starts [s]; `axis`
-    /// is the label of the force axis.
+    /// Shows the preview of an import. `shift` is the time in the record at which the imported signal starts
+    /// [s]; `axis` is the label of the force axis.
     void present(const ImportPreview& preview, double shift, const QString& axis);
     /// Returns the first and the last time of the record that are visible in the plot [s].
     RecordSpan visibleTimes() const;

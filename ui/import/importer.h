@@ -24,7 +24,8 @@ class Importer : public QObject {
     /// Asks for a file, or for several records of gauges, and opens the dialog; does nothing if the user
     /// cancels.
     void start(ImportUse use);
-    /// Opens the dialog for a file. The chosen settings also apply to the `further` records.
+    /// Opens the import dialog for a file. The settings chosen there also apply to the files `further`, which
+    /// are records of the same measurement.
     void open(const QString& path, ImportUse use, const QStringList& further = {});
     /// Asks for records of strain gauges, from which the rock's law is identified. Empty if the user cancels.
     QStringList chooseRecords();

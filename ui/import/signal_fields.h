@@ -28,7 +28,7 @@ class QuantityField;
 class UnitChoice;
 enum class FieldRange;
 
-/// Use of an imported signal.
+/// Use of an imported signal in the program.
 enum class ImportUse {
     blow,         ///< hammer force of the scenario
     normalForce,  ///< measured normal force N in a section, to compare with the computed one
@@ -48,10 +48,10 @@ class SignalFields : public QWidget {
     /// Sets the scenario whose rod or string may carry the gauge; its E·A converts strain to force. A
     /// dimensionless scenario has no such bar.
     void setScenario(const Scenario& scenario);
-    /// Sets the unit given in the table's header. Without one, the user must choose a unit, and `likely`
-    /// preselects the kind of signal.
+    /// Sets the unit of the signal that the header of the table states. If it states none, the user must
+    /// choose one, and `likely` is preselected as the kind of signal.
     void setUnit(const std::optional<NamedSignalUnit>& unit, SignalKind likely);
-    /// Proposes a zero line for a new record, unless the user has chosen one.
+    /// Proposes a zero line for a new record with the time span `record`, unless the user has chosen one.
     void proposeZero(RecordSpan record);
     /// Proposes which sign means compression, unless the user has chosen one. `signOfPeak` is the sign of the
     /// largest value relative to the zero line.
@@ -61,19 +61,22 @@ class SignalFields : public QWidget {
     /// Proposes the times of the record to import, unless the user has chosen some.
     void proposeTimes(std::optional<RecordSpan> times);
 
-    /// Sets unit, gauge and amplifier as if the user had chosen them.
+    /// Sets the fields for unit, gauge and amplifier to the values in `settings`, as if the user had chosen
+    /// them.
     void use(const SignalOptions& settings);
-    /// Adds the chosen unit to `settings`, with gauge and amplifier if the unit needs them.
+    /// Adds the chosen unit to the reading settings `settings`, also gauge and amplifier if the unit needs
+    /// them.
     void addTo(SignalOptions& settings) const;
 
     SignalRecipe recipe() const;
-    /// Returns true if the user has chosen no number of points. A hammer blow then keeps as few as the
-    /// permitted error allows.
+    /// Returns true if the user has chosen no number of points for the imported force. A hammer blow then
+    /// keeps as few points as the permitted error allows.
     bool leavesPoints() const;
-    /// Returns the position x at which a normal force was measured [m], from the struck end of the rod;
-    /// negative in a hammer.
+    /// Returns the position x [m] at which the normal force to be imported was measured. It is counted from
+    /// the struck end of the rod; negative in a hammer.
     double place() const;
-    /// Returns why the choices are incomplete or wrong; empty if recipe() returns usable settings.
+    /// Returns the reason why the chosen unit, times and other settings are incomplete or wrong; empty if
+    /// recipe() returns usable settings.
     QString problem() const;
 
   signals:

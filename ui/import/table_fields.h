@@ -27,7 +27,7 @@ class TableFields : public QWidget {
   public:
     explicit TableFields(QWidget* parent = nullptr);
 
-    /// Sets the first lines of a file and detects format and columns again.
+    /// Sets the first lines of the imported file, and detects its format and columns again.
     void setLines(std::vector<std::string> lines);
     const std::vector<std::string>& lines() const { return m_lines; }
 
@@ -39,19 +39,22 @@ class TableFields : public QWidget {
     void addTo(SignalOptions& settings) const;
 
     SampleSource source() const;
-    /// Returns the unit that the header states for the column of values; nothing if none is known.
+    /// Returns the unit that the table's header states for the column of values; nothing if it states none.
     std::optional<NamedSignalUnit> valueUnit() const;
-    /// Returns the likely kind of the column of values if its unit is not stated.
+    /// Returns the kind of signal (force, strain, voltage, …) that the column of values probably contains, if
+    /// the table does not state its unit.
     SignalKind valueKind() const;
     /// Proposes a sample rate [Hz] estimated from the record, unless the table or the user gives one.
     void proposeRate(double rate);
-    /// Returns why the choices are incomplete or wrong; empty if source() returns usable settings.
+    /// Returns the reason why the chosen format and columns are incomplete or wrong; empty if source()
+    /// returns usable settings.
     QString problem() const;
 
   signals:
-    /// Emitted when source() has changed.
+    /// Emitted when the settings that source() returns have changed.
     void changed();
-    /// Emitted before changed() when the column of values, or the unit in its header, has changed.
+    /// Emitted before changed() when another column of values is chosen, or its unit in the header has
+    /// changed.
     void valueColumnChanged();
 
   private:

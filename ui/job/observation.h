@@ -19,7 +19,8 @@ class Observation : public QObject {
     /// string.
     double section() const { return m_section; }
     void setSection(double section);
-    /// Returns the lowest position x/L: 0, or that of the rear end of a hammer of sections (negative).
+    /// Returns the lowest selectable position x/L: 0, or for a hammer simulated by sections its rear end
+    /// (negative).
     double rear() const { return m_rear; }
     void setRear(double rear);
     /// Returns the time of the time cursor, t/t0; nothing if there is none.

@@ -9,28 +9,29 @@
 
 namespace drillwave {
 
-/// Solver of blows with a thread of its own, so that long work elsewhere does not delay a blow. A new request
-/// replaces a waiting one, see Worker. Answers arrive in the order of requests. An answer of reduced accuracy
+/// Solver of blows with its own thread, so that long studies do not delay a blow. A new request replaces a
+/// waiting one, see Worker. Answers arrive in the order of requests. An answer of reduced accuracy
 /// (SolveRequest::quick) is followed by an accurate one, unless there is a new request.
 class SolveJob : public QObject {
     Q_OBJECT
 
   public:
-    /// Function that solves a request; never called twice at the same time. The text of an exception becomes
-    /// the `fault` of the answer. After the request's `stop` it may end early with a fault, which is not
-    /// shown.
+    /// Function that solves a request; never called twice at the same time. If it throws, the text of the
+    /// exception becomes the `fault` of the answer. After a stop request (SolveRequest::stop) it may end
+    /// early with a fault, which is not shown.
     using Solve = std::function<SolvedBlowPtr(const SolveRequest&)>;
 
-    /// Makes a job that solves blows exactly.
+    /// Makes a job that solves blows exactly, without a function of the caller.
     explicit SolveJob(QObject* parent = nullptr);
-    /// Makes a job that solves with `solve`. The destructor stops the present request and waits for its end.
+    /// Makes a job that calls `solve` for each request. The destructor stops the request in progress and
+    /// waits for its end.
     explicit SolveJob(Solve solve, QObject* parent = nullptr);
 
     void submit(const SolveRequest& request);
-    /// Solves a request in the caller's thread and returns the answer, for a window's first picture. Waits
-    /// for the present request.
+    /// Solves a request in the caller's thread and returns the answer, so that a new window shows a result at
+    /// once. Waits for the end of a request in progress.
     SolvedBlowPtr solveNow(const SolveRequest& request);
-    /// Drops the waiting request and stops the present one.
+    /// Discards the waiting request and stops the one in progress.
     void cancel();
     bool isBusy() const { return m_worker.isBusy(); }
 

@@ -8,11 +8,12 @@
 
 namespace drillwave {
 
-/// Time limit that stops a computation once it has intermediate results to show. Threads of the computation
-/// may share it.
+/// Time limit of a computation. The computation calls check() as soon as it has intermediate results to show;
+/// check() stops it after the limit. Threads of the computation may share the object.
 class StudyBudget {
   public:
-    /// Starts the time. `seconds` is the limit [s], nothing for none. A stop of `from` also stops the work.
+    /// Starts the clock. `seconds` is the time limit [s]; nothing for no limit. A stop requested through
+    /// `from` also stops the work.
     StudyBudget(std::optional<double> seconds, const std::stop_token& from)
         : m_seconds(seconds), m_chain(from, Chain{&m_stop}) {}
 
@@ -22,9 +23,9 @@ class StudyBudget {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
     }
     bool isSpent() const { return m_seconds && elapsed() >= *m_seconds; }
-    /// Returns true if further work of that many seconds fits into the limit.
+    /// Returns true if further work that takes `seconds` [s] fits into the time limit.
     bool hasRoomFor(double seconds) const { return !m_seconds || elapsed() + seconds <= *m_seconds; }
-    /// Stops the work if the time limit has passed.
+    /// Stops the work if the time limit has passed. Call it only when intermediate results can be shown.
     void check() {
         if (isSpent()) m_stop.request_stop();
     }

@@ -23,21 +23,21 @@ namespace drillwave {
 
 // Progress of a study of any type, for the status line and the pages.
 
-/// Numbers of computed points of a study and of points in total.
+/// Progress of a study: number of computed points, and number of points in total.
 struct StudyProgress {
     std::size_t done = 0;
     std::size_t wanted = 0;  ///< number of points in total; 0 if unknown
     bool operator==(const StudyProgress&) const = default;
 };
 
-/// Longest time that a study may run before the user explicitly asks for all of it.
+/// Default time limit [s] of studies that the window starts by itself. The user can ask for the rest.
 inline constexpr std::chrono::seconds unaskedTime{10};
 
-/// State of a study. `stopped` means stopped by the user or after unaskedTime, with partial results kept;
-/// `failed` means that StudyActivity::problem() has the reason.
+/// State of a study (a long computation in the background). `stopped` means stopped by the user or by its
+/// time limit, with partial results kept. `failed` means that StudyActivity::problem() returns the reason.
 enum class StudyState { idle, running, finished, stopped, failed };
 
-/// State and progress of a study, independent of the type of its result.
+/// State and progress of a study (long computation in the background), independent of the type of its result.
 class StudyActivity : public QObject {
     Q_OBJECT
 
@@ -47,32 +47,32 @@ class StudyActivity : public QObject {
     /// Returns the state of the last study.
     StudyState state() const { return m_state; }
     StudyProgress progress() const { return m_progress; }
-    /// Returns why there is no result, as a sentence; empty unless the state is `failed`.
+    /// Returns the reason why a study has no result, as a sentence; empty unless the state is `failed`.
     QString problem() const { return m_problem; }
-    /// Returns true if the value shown belongs to the last study, not to an earlier one.
+    /// Returns true if the shown result belongs to the last study, not to an earlier one.
     virtual bool isCurrent() const = 0;
-    /// Returns the number of values received, also of earlier studies. While it grows, the window keeps up
-    /// with the user's input.
+    /// Returns the number of results received so far, including intermediate results and those of earlier
+    /// studies. While it grows, the shown results follow the user's input and are not marked as out of date.
     std::uint64_t answers() const { return m_answers; }
     virtual void cancel() = 0;
-    /// Runs a stopped study again, without a time limit.
+    /// Runs a stopped study again, now without a time limit.
     virtual void resume() = 0;
-    /// Sets the time after which studies are stopped, except resumed ones; 0, the initial value, for no
-    /// limit.
+    /// Sets the time limit after which a study is stopped; 0, the initial value, for no limit. Resumed
+    /// studies have no limit.
     void setTimeLimit(std::chrono::milliseconds limit) { m_limit = limit; }
-    /// Returns true if the last study was stopped because its time was over.
+    /// Returns true if the last study was stopped because it reached the time limit.
     bool isOutOfTime() const { return m_isOutOfTime; }
-    /// Stops the study and removes its results.
+    /// Stops the study and removes its results, for example for a new scenario.
     virtual void forget() = 0;
 
   signals:
-    /// Emitted when state, progress or value have changed.
+    /// Emitted when state, progress or results have changed.
     void changed();
 
   protected:
-    /// Starts the time limit, when a study starts.
+    /// Starts the timer of the time limit; called when a study starts.
     void startTime();
-    /// Removes the time limit, when a study is resumed.
+    /// Removes the time limit; called when the user resumes a stopped study.
     void endTime();
 
     StudyState m_state = StudyState::idle;
@@ -86,8 +86,9 @@ class StudyActivity : public QObject {
     bool m_isOutOfTime = false;
 };
 
-/// Receiver of a running study's progress and values; may be called in any of its threads until the study
-/// returns. The window may skip some of them, but always shows the last of each kind.
+/// Callbacks by which a running study reports progress and intermediate results. They may be called in any of
+/// its threads until the study returns. The window may skip some reports, but always shows the last progress
+/// and the last result.
 template <class Value>
 struct StudyFeed {
     std::stop_token stop;  ///< stop token; after a stop the study must return soon, with any value
@@ -95,21 +96,21 @@ struct StudyFeed {
     std::function<void(Value)> show;  ///< shows an intermediate value, which may be coarse or only a part
 };
 
-/// Job that runs studies, of which a new one replaces a waiting one (see Worker). The value of an earlier
-/// study stays until the last study has one. Only the study itself runs outside the window's thread.
+/// Runner of studies (long computations) outside the window's thread. A new study replaces a waiting one (see
+/// Worker). The result of an earlier study stays until the last study has a result.
 template <class Value>
 class StudyJob : public StudyActivity {
   public:
-    /// Function that computes a study. It must own copies of its inputs. The text of an exception becomes
-    /// problem().
+    /// Function that computes a study in the background. It must own copies of its inputs. If it throws,
+    /// problem() returns the text of the exception.
     using Study = std::function<Value(const StudyFeed<Value>&)>;
 
-    /// Makes a job without a study. The destructor stops the present study and waits for its end.
+    /// Makes a job without a study. The destructor stops a running study and waits for its end.
     explicit StudyJob(QObject* parent = nullptr) : StudyActivity(parent) {}
 
     void submit(Study study);
     void resume() override;
-    /// Stops the study; values shown so far stay.
+    /// Stops the study; results shown so far stay.
     void cancel() override;
     void forget() override;
     /// Returns the result of the study, or its latest intermediate result; nullptr before there is one.
@@ -277,11 +278,13 @@ void StudyJob<Value>::end(std::uint64_t number, const End& end) {
 
 // Studies that are run only once for the same question.
 
-/// Runner of a study outside the window's thread, for questions of type Question, a value type with ==.
+/// Runner of one study outside the window's thread, which is not repeated for an equal question. Question is
+/// a value type with ==.
 template <class Question, class Value>
 class StudyRunner {
   public:
-    /// Function that computes the study; called in the job's thread, it must not use objects of the window.
+    /// Function that computes the study of a question. It is called in another thread than the window's and
+    /// must not use objects of the window.
     using Study = std::function<Value(const Question&, const StudyFeed<Value>&)>;
 
     explicit StudyRunner(Study study) : m_study(std::move(study)) {}
@@ -299,14 +302,14 @@ class StudyRunner {
         return true;
     }
 
-    /// Returns the question asked last; nothing before the first.
+    /// Returns the last question passed to ask(); nothing before the first call.
     const std::optional<Question>& question() const { return m_question; }
     StudyJob<Value>& job() { return m_job; }
     const StudyJob<Value>& job() const { return m_job; }
     /// Returns the last result or intermediate value, which may belong to an earlier question; nullptr at
     /// first.
     const Value* value() const { return m_job.value().get(); }
-    /// Returns the number of studies started.
+    /// Returns the number of times that ask() has started the study.
     int started() const { return m_started; }
 
   private:

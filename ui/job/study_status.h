@@ -19,33 +19,34 @@ namespace drillwave {
 // Status line of the solver: whether the result shown belongs to the present input, and which action waits
 // for it.
 
-/// Waiting time after which a result is marked as out of date. Marking it sooner would only flicker.
+/// Time that the solver may take before the old result is marked as out of date. Marking it sooner would only
+/// flicker.
 inline constexpr std::chrono::milliseconds usualPatience{150};
 
-/// Status line that follows requests and answers of the solver. If an answer takes long, it shows that with a
-/// button to stop it. After a stop, the result stays out of date until solving is requested again. An action
-/// that needs a current result can wait here.
+/// Status line of the solver for the blow that the window shows. If a result takes long, it shows that, with
+/// a button to stop the solver. After a stop, the result stays out of date until solving is requested again.
+/// It also keeps an action that waits for a current result, such as an export.
 class SolveStatus : public QWidget {
     Q_OBJECT
 
   public:
     explicit SolveStatus(QWidget* parent = nullptr);
 
-    /// Sets how long a request may wait for its answer before the old result is marked as out of date.
+    /// Sets how long the solver may work on a new input before the old result is marked as out of date.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
 
-    /// Marks the result shown as not current. Must be called when the input has changed or another result is
+    /// Marks the shown result as not current. Must be called when the input has changed or another result is
     /// needed.
     void asked();
-    /// Marks the result shown as current and runs the waiting action. Must be called when the answer to the
-    /// present input is shown. `summary` describes the answer in one line.
+    /// Marks the shown result as current and runs the waiting action, if any. Must be called when the answer
+    /// to the present input is shown. `summary` describes the answer in one line.
     void answered(const QString& summary);
-    /// Notes that a quick answer of reduced accuracy is shown, while the accurate one is being computed. The
-    /// result does not count as out of date, but an action passed to whenCurrent() waits for the accurate
-    /// one. `summary` describes the answer in one line.
+    /// Reports that a quick answer of reduced accuracy is shown, while the accurate one is being computed.
+    /// The result does not count as out of date. An action passed to whenCurrent() still waits for the
+    /// accurate answer. `summary` describes the quick answer in one line.
     void answeredQuickly(const QString& summary);
-    /// Restarts the waiting time after which the result is marked as out of date. Must be called when an
-    /// answer to an earlier input is shown.
+    /// Restarts the time after which the shown result is marked as out of date. Must be called when an answer
+    /// to an earlier input is shown, because the display then still follows the input.
     void answeredEarlier();
 
     /// Returns true if the accurate answer to the present input is shown.
@@ -53,15 +54,15 @@ class SolveStatus : public QWidget {
     /// Returns true if the result shown is marked as out of date.
     bool isMarked() const { return m_marked; }
 
-    /// Calls `then` as soon as the result is current: now, or when it arrives. `what` names the action in the
-    /// status line. Solves again if solving was stopped. A later call replaces a waiting action.
+    /// Calls `then` as soon as the result is current: now, or when it arrives. `what` names this action in
+    /// the status line. Solves again if the solver was stopped. An action that already waits is replaced.
     void whenCurrent(const QString& what, std::function<void()> then);
-    /// Cancels the waiting action, if any, and emits the reason with calledOff().
+    /// Cancels the action that waits for a current result, if any, and emits calledOff() with the reason.
     void callOff(const QString& reason);
     bool isWaiting() const { return bool(m_waiting); }
 
-    /// Sets a text to show before the summary of the result, such as the main result if its panel is hidden.
-    /// Empty for no text.
+    /// Sets a text to show before the summary of the result; empty for no text. It is used for the main
+    /// result if the result panel is hidden.
     void setLead(const QString& lead);
 
     /// Returns the full text of the line, which may be shown abbreviated.
@@ -71,14 +72,15 @@ class SolveStatus : public QWidget {
   signals:
     /// Emitted when isCurrent() has changed.
     void currentChanged(bool current);
-    /// Emitted when the result shown should be marked as out of date (`outOfDate` is true), or as current
+    /// Emitted when the shown result should be marked as out of date (`outOfDate` is true), or as current
     /// again (false).
     void marked(bool outOfDate);
     /// Emitted when the user stops the solver.
     void stopRequested();
     /// Emitted when the user requests the result after solving was stopped.
     void solveRequested();
-    /// Emitted when a waiting action is cancelled; `message` gives the reason in one line.
+    /// Emitted when the action that waits for a current result is cancelled; `message` gives the reason in
+    /// one line.
     void calledOff(const QString& message);
 
   protected:
@@ -121,8 +123,9 @@ QString waitText(double seconds, const QLocale& locale);
 /// the count is given before a rate is known, and once all points are done.
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
-/// Status line for the study of the visible page. It appears if the study runs longer than a moment. For a
-/// stopped study it shows the progress and a button to resume it. Otherwise it is hidden.
+/// Status line for the study (long computation) that the visible page shows. It appears if the study runs
+/// longer than a moment. For a stopped study it shows the progress and a button to resume it. Otherwise it is
+/// hidden.
 class StudyStatus : public QWidget {
     Q_OBJECT
 
@@ -131,7 +134,7 @@ class StudyStatus : public QWidget {
 
     /// Sets how long a study may run before its status is shown.
     void setPatience(std::chrono::milliseconds patience) { m_late.setInterval(patience); }
-    /// Shows the status of this study from now on, with the study's `name` before it; nullptr for no study.
+    /// Shows the status of a study from now on, with its `name` before the progress; nullptr for no study.
     void follow(StudyActivity* activity, const QString& name);
 
     /// Returns the text of the line; empty while it is hidden.

@@ -13,28 +13,30 @@
 
 namespace drillwave {
 
-/// Worker that runs tasks one at a time outside the window's thread. While a task runs, only the newest of
-/// the arriving tasks is kept. If another task waits, a task that has run for `patience` is stopped. Results
+/// Worker that runs tasks one at a time in its own thread. If several tasks arrive while one runs, only the
+/// newest of them is kept. A running task may be stopped for a waiting one after the time `patience`. Results
 /// are delivered in the order of the tasks.
 class Worker : public QObject {
     Q_OBJECT
 
   public:
-    /// Function that delivers a task's result; called in the window's thread.
+    /// Function that delivers the result of a task; called in the window's thread.
     using Delivery = std::function<void()>;
-    /// Function that runs in the worker's thread and must not throw. On `stop` it may end early.
+    /// Task: a function that runs in the worker's thread and must not throw. When `stop` is requested it may
+    /// end early. It returns the function that delivers its result.
     using Task = std::function<Delivery(const std::stop_token& stop)>;
 
-    /// Priority of the worker's thread. With `background`, the window's thread goes first: on Linux the nice
-    /// value of the thread and of threads started by its tasks is higher by 5.
+    /// Priority of the worker's thread: `answer` is normal, `background` is lower than that of the window's
+    /// thread. On Linux, `background` raises the nice value of the thread, and of threads that its tasks
+    /// start, by 5.
     enum class Urgency { answer, background };
 
     explicit Worker(Urgency urgency = Urgency::answer, QObject* parent = nullptr);
-    /// Stops the present task and waits for its end.
+    /// Stops the task in progress and waits for its end.
     ~Worker() override;
 
     void submit(Task task);
-    /// Drops the waiting task, stops the present one, and discards its result.
+    /// Discards the waiting task, stops the one in progress, and discards its result.
     void cancel();
     /// Waits until the worker's thread is idle. Call cancel() first.
     void waitForThread();
@@ -42,8 +44,8 @@ class Worker : public QObject {
     bool isBusy() const { return m_busy; }
 
   private:
-    /// Time after which a task may be stopped for a waiting one. While the user drags a value, every result
-    /// that takes less is shown.
+    /// Time after which a running task may be stopped for a waiting one. While the user drags a value,
+    /// results that take less time are all shown.
     static constexpr std::chrono::milliseconds patience{250};
 
     void start(Task task);

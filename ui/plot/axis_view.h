@@ -17,29 +17,31 @@ QCPRange usableRange(QCPRange wanted, QCPRange present, QCPAxis::ScaleType scale
 /// it is.
 void zoomAxis(QCPAxis& axis, double factor, double aroundPixel);
 
-/// Pans the axis: the value that was at `fromPixel` when the range was `start` moves to `toPixel`.
+/// Pans the axis during a drag from `fromPixel` to `toPixel`. `start` is the range before the drag. The value
+/// that was at `fromPixel` is then at `toPixel`.
 void panAxis(QCPAxis& axis, QCPRange start, double fromPixel, double toPixel);
 
 /// Zooms the axis to the range between two of its pixels, given in either order.
 void zoomAxisTo(QCPAxis& axis, double pixel, double otherPixel);
 
-/// Returns why the axis cannot be logarithmic with its visible curves; empty when it can. Values of zero are
-/// no obstacle, because impact forces begin with zeros: the axis cuts them off at its edge.
+/// Returns why the axis cannot be logarithmic with its visible curves; empty if it can. Values of zero do not
+/// prevent this, because impact forces begin with zeros. The axis cuts them off at its edge.
 QString reasonAgainstLogarithm(const QCPAxis& axis);
 
-/// Sets the scale of the axis and of the opposite axis of its rect, linear or logarithmic, with suitable
-/// ticks. A change to logarithmic also fits the range to the positive values of the visible curves.
+/// Makes the axis, and the opposite axis of its rect, linear or logarithmic, with suitable ticks. A change to
+/// logarithmic also fits the range to the positive values of the visible curves.
 void setScale(QCPAxis& axis, QCPAxis::ScaleType scale);
 
-/// Sets the range of a logarithmic axis to the positive values of the visible curves, with at most 9 decades
-/// below the largest. A linear axis is left unchanged.
+/// Sets the range of a logarithmic axis to the positive values of its visible curves, but at most 9 decades
+/// below their largest value. A linear axis is left unchanged.
 void fitLogarithmic(QCPAxis& axis);
 
 /// Sets the number of ticks that an axis aims at according to its length: from 3 to 5 on a vertical axis,
-/// from 2 to 5 on a horizontal one. Returns whether that number has changed.
+/// from 2 to 5 on a horizontal one. Returns true if the number has changed; the plot must then be redrawn.
 bool setTickCount(QCPAxis& axis);
-/// Returns the label of an axis as far as there is room for it: along a vertical axis, or as far as the edges
-/// of the plot. The words before the unit or the value are elided, or left out if only a letter would remain.
+/// Returns the label of an axis, shortened if it is longer than a vertical axis, or would go beyond the edges
+/// of the plot. The words before the unit or the value are cut with an ellipsis. They are left out if only a
+/// letter would remain.
 QString labelThatFits(const QCPAxis& axis);
 
 /// Sets the number of significant digits of the tick labels, from 6 to 16, so that neighbouring labels

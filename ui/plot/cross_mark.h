@@ -11,14 +11,14 @@
 
 namespace drillwave {
 
-/// Ring with two thin lines through it and a label, which marks a place of a plot. A pale band behind the
-/// lines makes them visible on any colour. Changes redraw only the layer "overlay".
+/// Ring with two thin lines through it and a label, which marks the keyboard point of a plot. A pale band
+/// below the lines makes them visible on any colour. Changes redraw only the layer "overlay".
 class CrossMark {
   public:
     explicit CrossMark(QCustomPlot& plot) : m_plot(plot), m_mark(plot) {}
 
-    /// Shows the cross at a place in the coordinates of the bottom and left axes of `rect`, with `text` as
-    /// its label. Every call must pass the same rect.
+    /// Shows the cross at the point `place`, given in the coordinates of the bottom and left axes of `rect`,
+    /// with the label `text`. Every call for the same cross must pass the same `rect`.
     void show(QCPAxisRect& rect, QPointF place, const QString& text);
     void hide();
     void setStyle(const PlotStyle& style);

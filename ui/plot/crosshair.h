@@ -15,8 +15,8 @@ class Crosshair : public HereMark {
     Q_OBJECT
 
   public:
-    /// Creates the crosshair in `rect`. The vertical line continues in the rects `below`, the horizontal one
-    /// in those `beside`.
+    /// Creates the crosshair in `rect`. Its vertical line continues in the axis rects `below`, its horizontal
+    /// line in the axis rects `beside`.
     Crosshair(QCPAxisRect* rect, const std::vector<QCPAxisRect*>& below,
               const std::vector<QCPAxisRect*>& beside);
 
@@ -24,9 +24,10 @@ class Crosshair : public HereMark {
     void setStyle(const PlotStyle& style) override;
 
   signals:
-    /// Reports that the user begins to drag the crosshair. An arrow key counts as a drag of one step.
+    /// Reports that the user begins to drag the crosshair with the mouse. A step with an arrow key also
+    /// counts as a drag.
     void held();
-    /// Reports that the user has dragged to a place within the view, in the units of the axes.
+    /// Reports that the user has dragged the crosshair to a place within the view, in the units of the axes.
     void dragged(QPointF place);
 
   protected:

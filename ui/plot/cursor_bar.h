@@ -25,20 +25,22 @@ class CursorBar : public QFrame {
   public:
     explicit CursorBar(QWidget* parent);
 
-    /// Sets the curves to choose from. `chosen` is one of them, or nullptr if the list is empty.
+    /// Sets the curves that the list of the strip offers. `chosen` is the one to select, or nullptr if the
+    /// list is empty.
     void setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen);
-    /// Source of the readings: the cursors A and B, or the part of the curve in view.
+    /// Source of the readings in the table: the cursors A and B, or the part of the curve in view.
     enum class Of { cursors, view };
-    /// Shows readings in the table. Requires exactly readingCellCount cells.
+    /// Shows the readings in the table; `of` says whether they are those at the cursors or those of the curve
+    /// in view. Requires exactly readingCellCount cells.
     void present(const ReadingCells& cells, Of of);
-    /// Returns all readings of the table in one line.
+    /// Returns all readings of the table in one line of text.
     QString text() const { return m_text; }
     /// Copies the table with all digits to the clipboard, as tab-separated text.
     void copy() const;
-    /// Enables or disables the Copy button of the strip.
+    /// Enables or disables the button of the strip that copies the readings.
     void setCopyEnabled(bool enabled);
-    /// Returns the height [px] of the strip at a width [px]: two lines of text, or three if the strip is
-    /// narrower. In the narrowest form the list of curves takes a further line.
+    /// Returns the height [px] that the strip needs at this width [px]. It has two lines of text, or three if
+    /// it is narrower. In the narrowest form the list of curves takes a further line.
     int heightFor(int width) const;
 
   signals:

@@ -11,22 +11,26 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Mover of the cursors A, B and time of a plot. All pixels are in widget coordinates of the plot. Cursors
-/// stay within the axes; the time cursor moves only if PlotWidget::offersTime().
+/// Controls for moving the vertical cursor lines A, B and time of a plot by mouse or keys. All positions are
+/// pixels of the plot widget. Cursors stay within the axes. The time cursor moves only if
+/// PlotWidget::offersTime().
 class CursorMover {
   public:
     explicit CursorMover(PlotWidget& plot) : m_plot(plot) {}
 
-    /// Returns the cursor within a few pixels of a point if the user may move it, else nothing.
+    /// Returns the cursor within a few pixels of a point; nothing if there is none, or if the user must not
+    /// move it.
     std::optional<PlotCursor> cursorAt(QPointF point) const;
-    /// Returns the cursor at a point, as cursorAt(), and makes it the one that step() moves.
+    /// Returns the cursor at a point, as cursorAt() does. If there is one, step() moves this cursor from now
+    /// on.
     std::optional<PlotCursor> grabAt(QPointF point);
-    /// Moves a cursor to a horizontal position [px] on the plot; positions outside the axes are clamped.
+    /// Moves a cursor to the horizontal position `pixel` of the plot. Positions to the left or right of the
+    /// axes give the nearer edge.
     void drag(PlotCursor cursor, double pixel);
-    /// Places a cursor at a point of the plot. Without a point, or with one outside the axes, the cursor is
-    /// placed in the middle.
+    /// Places a cursor at the x of a point of the plot. Without a point, or with one to the left or right of
+    /// the axes, it is placed in the middle.
     void placeAt(PlotCursor cursor, std::optional<QPoint> at);
-    /// Moves the cursor that was moved last by a number of pixels, positive to the right.
+    /// Moves the cursor that the user placed or dragged last by `pixels`, positive to the right.
     void step(double pixels);
 
   private:

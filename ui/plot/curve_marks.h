@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-/// Point of a curve that gets a mark and a label.
+/// Point of a curve that gets a mark and a label, such as a maximum or a kink.
 struct CurveMark {
     using Kind = MarkKind;
     Kind kind = Kind::kink;
@@ -22,17 +22,18 @@ struct CurveMark {
     bool operator==(const CurveMark&) const = default;
 };
 
-/// Marks on a graph, each with a label that avoids the curves of the axes and other labels. If a kind has too
-/// many marks, they are shown without labels. The plot owns the object.
+/// Marks on a graph, each with a label that avoids the curves on the same axes and other labels. Marks of a
+/// kind (kinks, extremes, crossings) have no labels if there are too many of them. The plot owns the object.
 class CurveMarks : public QObject {
     Q_OBJECT
 
   public:
     explicit CurveMarks(QCPGraph* graph);
 
-    /// Replaces the marks and labels. `x` and `y` are the units of the axes, which the labels show.
+    /// Replaces the marks and labels. The labels show x and y of their points in the units `x` and `y`, which
+    /// are those of the axes.
     void present(const QVector<CurveMark>& marks, const ShownUnit& x, const ShownUnit& y);
-    /// Removes all marks and labels.
+    /// Removes all marks of the curve, and their labels.
     void clear();
     const QCPGraph* graph() const { return m_graph; }
     void setStyle(const PlotStyle& style);

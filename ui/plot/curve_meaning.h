@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Names, units and exact functions of a curve. All values are in the units of the axes: x in that of the
-/// horizontal axis, y in that of the vertical axis.
+/// Units, names and exact functions of a curve, for readings and copied data. All values are in the units of
+/// the axes.
 struct CurveMeaning {
     QString xName = {};  ///< name of x, such as "t"; if empty, the label of the axis is used
     QString yName = {};  ///< name of y, such as "F"; if empty, the label of the axis is used
@@ -19,29 +19,33 @@ struct CurveMeaning {
     /// Words shown at x = 0, 1, … instead of numbers. Between them the curve has no values and no slope.
     /// Empty for an axis of numbers.
     QStringList xWords = {};
-    /// Unit of the shown slope; if empty, it is made from the units of y and x, such as "kN/ms".
+    /// Unit of the slope as shown to the user. If empty, it is made from the units of y and x, such as
+    /// "kN/ms".
     QString slopeUnit = {};
-    /// Factor of the shown slope: shown slope = slopeFactor · dy/dx.
+    /// Factor for the slope shown to the user: shown slope = slopeFactor · dy/dx.
     double slopeFactor = 1;
-    /// Unit of the shown integral, such as "N s"; if empty, it is made from the units of y and x, such as
-    /// "kN·ms".
+    /// Unit of the integral shown to the user, such as "N s". If empty, it is made from the units of y and x,
+    /// such as "kN·ms".
     QString integralUnit = {};
-    /// Factor of the shown integral: shown integral = integralFactor · ∫ y dx. The value 0 hides integral and
-    /// mean, which have no meaning if x is a parameter or a frequency.
+    /// Factor for the integral shown to the user: shown integral = integralFactor · ∫ y dx. The value 0 hides
+    /// integral and mean, which have no meaning if x is a parameter or a frequency.
     double integralFactor = 1;
-    /// Exact function y(x). If empty, y is interpolated linearly between the drawn points.
+    /// Exact function y(x) of which the drawn points are samples. If empty, y is interpolated linearly
+    /// between the points.
     std::function<double(double x)> value = {};
     /// Exact ∫ y dx from a to b, which changes sign if a and b are swapped. If empty, the line through the
     /// drawn points is integrated.
     std::function<double(double a, double b)> integral = {};
 
-    /// Returns the word nearest to x; empty if the axis has no words or x is NaN.
+    /// Returns the word shown on the axis nearest to x. Empty if the axis shows numbers instead of words, or
+    /// x is NaN.
     QString wordAt(double x) const {
         if (xWords.isEmpty() || std::isnan(x)) return {};
         return xWords[std::clamp<qsizetype>(std::lround(x), 0, xWords.size() - 1)];
     }
 
-    /// Returns the meaning of a result plotted over a parameter, for which integral and mean are not shown.
+    /// Returns the meaning of a curve that shows a result over a parameter. Integral and mean of such a curve
+    /// are not shown.
     static CurveMeaning overParameter(const QString& xUnit, const QString& yUnit) {
         return {.xUnit = xUnit, .yUnit = yUnit, .integralFactor = 0};
     }

@@ -8,15 +8,16 @@
 
 namespace drillwave {
 
-/// Returns the name of x: that of the meaning, else the label of the horizontal axis without its unit ("time
-/// t" for "time t [ms]"). Stacked plots take the label of the lowest axis. Without a label the name is "x".
+/// Returns the name of x for readings: `xName` of `meaning`, else the label of the horizontal axis without
+/// its unit ("time t" for "time t [ms]"). A stacked plot without a label uses that of the lowest plot.
+/// Without any label the name is "x".
 QString xNameOf(const QCPAbstractPlottable& curve, const CurveMeaning& meaning);
-/// Returns the name of y: that of the meaning, else the label of the vertical axis without its unit, else
-/// "y".
+/// Returns the name of y for readings: `yName` of `meaning`, else the label of the vertical axis without its
+/// unit, else "y".
 QString yNameOf(const QCPAbstractPlottable& curve, const CurveMeaning& meaning);
 
-/// Returns the label of the horizontal axis of a curve, with its unit. If that axis has none, returns the
-/// label of the lowest of the stacked plots; may be empty.
+/// Returns the label of the horizontal axis of a curve, with its unit. If that axis has no label because
+/// plots are stacked, returns the label of the lowest plot; may be empty.
 QString xLabelOf(const QCPAbstractPlottable& curve);
 
 }  // namespace drillwave

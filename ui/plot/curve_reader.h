@@ -15,7 +15,8 @@ namespace drillwave {
 
 class CursorBar;
 
-/// Key of the user setting that shows the strip of readings below each plot even if no cursor is placed.
+/// Key of a user setting. If it is on, the strip of readings is shown below every plot, even if no cursor is
+/// placed.
 inline const QString tableShownKey = QStringLiteral("plots/table");
 
 /// Reader of one curve of a plot. Updates the strip of readings below the plot whenever the plot is drawn or
@@ -33,7 +34,7 @@ class CurveReader : public QObject {
     void place(PlotCursor cursor, std::optional<double> x);
     /// Returns the x of a cursor in the unit of the axis; nothing if it is not placed.
     std::optional<double> position(PlotCursor cursor) const { return m_cursors.position(cursor); }
-    /// Removes the cursors A and B.
+    /// Removes the cursors A and B from the plot.
     void clear();
     const PlotCursors& cursors() const { return m_cursors; }
     void setStyle(const PlotStyle& style) { m_cursors.setStyle(style); }
@@ -41,34 +42,36 @@ class CurveReader : public QObject {
     /// Returns the graph that is read: the one last chosen, else the default of setUsual(), else the first
     /// visible one. Hidden graphs are skipped; nullptr if no graph is visible.
     QCPGraph* graph() const;
-    /// Sets the graph that is read by default until the user chooses another one; nullptr for no default.
+    /// Sets the graph that is read until the user chooses another one. If it is nullptr, the first visible
+    /// graph is read.
     void setUsual(QCPGraph* graph) { m_usual = graph; }
-    /// Chooses the graph that is read at the cursors; nullptr for the default of setUsual().
+    /// Chooses the graph that is read at the cursors. If it is nullptr, the default of setUsual() is read.
     void setGraph(QCPGraph* graph);
-    /// Chooses the curve within 40 px of a point of the plot, or else the first curve on the axes there. If a
-    /// cursor is placed and the present curve is on the same axes, the choice stays.
+    /// Chooses the curve that the table below the plot reads: the curve within 40 px of a point of the plot.
+    /// If none is that close, the present curve stays if it is on the axes there, else the first curve on
+    /// them is chosen. While cursor A or B is placed, a present curve on these axes always stays.
     void aim(QPointF pixel);
-    /// Returns the reading of graph() at cursors A and B; nothing unless both are placed.
+    /// Returns the readings of graph() at cursors A and B; nothing unless both cursors are placed.
     std::optional<CursorReading> reading() const;
-    /// Returns the text of the strip below the plot; empty while the strip is hidden.
+    /// Returns the text of the strip of readings below the plot; empty while the strip is hidden.
     QString text() const;
     /// Copies the readings in the strip to the clipboard, as tab-separated text.
     void copy() const;
     /// Sets whether the curves belong to the present input. Readings of outdated curves cannot be copied.
     void setCurrent(bool current);
-    /// Sets whether the strip is also shown if neither A nor B is placed. It then shows readings of the part
-    /// of the curve in view.
+    /// Sets whether the strip of readings below the plot is also shown if neither cursor A nor B is placed.
+    /// It then shows extremes, mean and integral of the part of the curve in view.
     void setTableShown(bool shown);
-    /// Reads the curve again. Needed only after a change of its data without a replot, because replots read
-    /// it too.
+    /// Computes the readings of the curve at the cursors and shows them in the strip below the plot. Every
+    /// replot does this too. Call it only after changing the data without a replot.
     void read();
-    /// Shows or hides the strip and places it at the bottom of the plot, which becomes smaller by the strip's
-    /// height.
+    /// Shows or hides the strip of readings at the bottom of the plot. When it is shown, the area for the
+    /// curves becomes smaller by its height.
     void placeBar();
 
   signals:
-    /// Reports that the curve was read again: cursor A or B, the curve or its data may have changed. See
-    /// reading().
+    /// Reports that the readings of the curve at the cursors are new, because a cursor, the curve or its data
+    /// may have changed. See reading().
     void changed();
     /// Reports that the user has removed the cursors A and B by the button of the strip.
     void closed();

@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Readings of a curve at the cursors A and B, in the units shown. A number that the curve does not have is
-/// NaN.
+/// Readings of a curve at the cursors A and B, in the units shown. A reading is NaN if the curve is not
+/// defined there.
 struct CursorReading {
     double a = 0;      ///< x of cursor A, in the unit of the axis
     double b = 0;      ///< x of cursor B, in the unit of the axis
@@ -21,16 +21,16 @@ struct CursorReading {
     double integral = 0;
 };
 
-/// Returns the readings of a curve between x = a and x = b. Uses the exact functions of `meaning` if it has
-/// them, else the line through the points.
+/// Returns the readings of a curve at the cursors x = a and x = b. Uses the exact functions of `meaning` if
+/// it has them, else the line through the points.
 CursorReading readCurve(const QCPGraphDataContainer& points, const CurveMeaning& meaning, double a, double b);
 
 /// Returns y at x on the straight lines that join the points. At a jump (two points with equal x) it is the
-/// value after the jump; outside the points it is NaN.
+/// value after the jump; outside the range of the points it is NaN.
 double chordValue(const QCPGraphDataContainer& points, double x);
 
-/// Returns the integral from a to b of the straight lines that join the points, exact except for rounding.
-/// The curve is zero outside the points.
+/// Returns the integral over x from a to b of the straight lines that join the points, exact except for
+/// rounding. The curve counts as zero outside the range of the points.
 double chordIntegral(const QCPGraphDataContainer& points, double a, double b);
 
 }  // namespace drillwave

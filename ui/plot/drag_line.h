@@ -21,11 +21,11 @@ class DragLine : public QObject {
     /// Creates the line over the whole height of `rect`, an axis rect of `plot`. The line is hidden at first.
     DragLine(QCustomPlot& plot, QCPAxisRect* rect);
 
-    /// Shows the line at x, in the unit of the axis. During a drag it stays at the mouse pointer instead.
-    /// While dragged, the line jumps to `snap` when it is within a few pixels.
+    /// Shows the line at x (unit of the axis) with the label `name`. During a drag the line stays at the
+    /// mouse pointer instead, but jumps to `snap` when it is within a few pixels.
     void present(const QString& name, double x, std::optional<double> snap);
     void hide();
-    /// Returns the position of the line, in the unit of the axis.
+    /// Returns the present x of the line, in the unit of the axis.
     double x() const { return m_x; }
     void setStyle(const PlotStyle& style);
 

@@ -12,38 +12,40 @@
 
 namespace drillwave {
 
-/// Mapping of values to colours: from the smallest to the largest value, or with different colours below and
-/// above a level.
+/// Mapping of the values of a colour map to colours. Colours run from the smallest to the largest value, or
+/// differ below and above a given level.
 struct FieldColours {
     double least = 0;
     double largest = 1;           ///< largest value; greater than `least`
     std::optional<double> level;  ///< level with almost no colour, in the units of the field
 
-    /// Maps a value to −1 … 1 for ColourScale::colour(); NaN stays NaN.
+    /// Maps a value of the colour map to −1 … 1, the argument of ColourScale::colour(); NaN stays NaN.
     double share(double value) const;
     const ColourScale& scale() const;
 };
 
-/// Rectangles of one colour around the points of a field, cut off at the ends of the axes, and a bar with the
-/// colours at the right of the axis rect. A point that is not computed yet has the colour of a coarser one;
-/// one without a value is hatched. Drawing takes time for the pixels in view, however many points there are.
+/// Colour map of a panel: each grid point colours the rectangle around it. The colour bar is to the right of
+/// the axes. A point that is not computed yet has the colour of a coarser grid; a point without a value is
+/// hatched. The time for drawing depends on the pixels in view, not on the number of points.
 class FieldItem : public QCPAbstractItem {
     Q_OBJECT
 
   public:
-    /// Creates an empty field without a bar. `rect` must be in a QCPLayoutGrid.
+    /// Creates an item without a colour map and without a colour bar; present() adds both. `rect` must be in
+    /// a QCPLayoutGrid, which gets a column for the bar.
     explicit FieldItem(QCPAxisRect* rect);
 
-    /// Shows the field of a panel, or nothing if it has none. A value of x or y times its factor is a value
-    /// of the axis; a value of the field times its factor is a number at the bar, whose title is `label`.
+    /// Shows the colour map (field) of a panel, or nothing if the panel has none. A coordinate of the map
+    /// times `xFactor` or `yFactor` is a value on the axis. A value of the map times `factor` is a number on
+    /// the colour bar, whose title is `label`.
     void present(const StudyPanel& panel, double xFactor, double yFactor, double factor,
                  const QString& label);
     const std::optional<FigureField>& field() const { return m_field; }
     const FieldColours& colours() const { return m_colours; }
-    /// Returns the point of the field that is nearest to a place (coordinates of the axes); nothing more than
-    /// half a step outside.
+    /// Returns the grid point of the colour map that is nearest to `place` (coordinates of the axes). Nothing
+    /// if `place` is more than half a grid step outside the map.
     std::optional<MapGrid::Place> pointAt(QPointF place) const;
-    /// Returns the place of a point of the field, in coordinates of the axes.
+    /// Returns the place of a grid point of the colour map, in coordinates of the axes.
     QPointF placeOf(MapGrid::Place point) const;
     void setStyle(const PlotStyle& style);
     double selectTest(const QPointF&, bool, QVariant* = nullptr) const override { return -1; }
@@ -65,7 +67,8 @@ class FieldItem : public QCPAbstractItem {
     QRgb m_background = 0, m_hatch = 0;
 };
 
-/// Path that can be seen on any colour: with a halo, it is drawn over a wider line.
+/// Curve that is visible on any background colour, because a wider line of the pen set by setHalo() is drawn
+/// below it.
 class HaloPath : public QCPCurve {
     Q_OBJECT
 

@@ -13,24 +13,24 @@
 
 namespace drillwave {
 
-/// Named range of x, in the unit of the axis.
+/// Named range of x to be shaded in a plot, in the unit of the axis.
 struct ShownBand {
     QString name;
     QCPRange range;
     std::optional<double> at = {};  ///< x of the name, at the foot; empty if the name is at the top
 };
 
-/// Shaded bands over the whole height of an axis rect. Names at the top are in the middle of their bands;
-/// names at the foot are in two rows, clear of each other, and a name that fits in neither row is left out.
-/// A band of one value is a line, with its name in the lower half where it covers least. The plot owns the
+/// Shaded bands over the whole height of an axis rect. Names at the top are in the middle of their bands.
+/// Names at the bottom are in two rows; a name is left out if both rows are occupied there. A band with only
+/// one value is a vertical line, with its name in the lower half where it covers least. The plot owns the
 /// items.
 class FigureBands {
   public:
     explicit FigureBands(QCPAxisRect* rect) : m_rect(rect) {}
 
     void present(std::vector<ShownBand> bands);
-    /// Places the bands within the present view, because file formats do not clip them. Call this after a
-    /// change of the view.
+    /// Places the bands and their names within the present view. Call this after every change of the view,
+    /// because file formats do not clip them.
     void place();
     void setStyle(const PlotStyle& style);
 

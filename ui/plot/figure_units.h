@@ -9,13 +9,13 @@
 
 namespace drillwave {
 
-/// Units in which one user reads figures. `units` is for multiples of the blow's scales and for SI values;
-/// `unitFor` is for parameters.
+/// Units in which figures are shown to the user. `units` applies to multiples of the scales of the blow, such
+/// as t0, and to SI values. `unitFor` returns the unit of a parameter.
 struct FigureUnits {
     ShownUnits units;
     std::function<const Unit&(const Parameter&)> unitFor;
 
-    /// Returns the unit of a quantity: shown value = value of the figure · factor.
+    /// Returns the unit in which a quantity of a figure is shown: shown value = value of the figure · factor.
     ShownUnit of(const FigureQuantity& quantity) const;
 };
 

@@ -9,28 +9,31 @@ class QCPAxis;
 
 namespace drillwave {
 
-/// Record of whether a view is fitted to its contents. A view is fitted at first, and until a watched range
-/// changes by other means than fit() or adjust(). The parent object owns it.
+/// Record of whether a plot shows all of its contents. This is so at first and after fit(), until the user
+/// zooms or pans, that is, changes a watched range. The parent object owns it.
 class FittedView : public QObject {
     Q_OBJECT
 
   public:
     using QObject::QObject;
 
-    /// Adds an axis to the view: from now on its range changes count.
+    /// Adds an axis. From now on, a change of its range by other means than fit() or adjust() counts as
+    /// zooming or panning by the user.
     void watch(const QCPAxis* axis);
-    /// Returns whether no watched range has been changed by other means since the last fit().
+    /// Returns whether the axis ranges are still those that fit() has set. False after the user has zoomed or
+    /// panned; ranges set in adjust() do not count.
     bool isFitted() const { return m_fitted; }
-    /// Calls `setRanges`, which brings everything into view, and marks the view as fitted.
+    /// Calls `setRanges`, which must bring everything into view. isFitted() is then true.
     void fit(const std::function<void()>& setRanges);
-    /// Calls `setRanges` without changing whether the view is fitted.
+    /// Calls `setRanges`, which may change the ranges of the axes. The result of isFitted() stays as it is.
     void adjust(const std::function<void()>& setRanges);
-    /// Sets whether the view is empty. Range changes of an empty view do not count as choices of the user.
+    /// Sets whether the plot shows nothing. Range changes of an empty plot do not count as zooming by the
+    /// user.
     void setEmpty(bool empty) { m_empty = empty; }
 
   signals:
-    /// Reports that a range was changed by other means than fit() or adjust(), so that the view is no longer
-    /// fitted.
+    /// Reports that the user has zoomed or panned, that is, that a range was changed by other means than
+    /// fit() or adjust().
     void chosen();
 
   private:

@@ -11,8 +11,9 @@
 
 namespace drillwave {
 
-/// Ring on a vertical line, at the values of the present scenario (the current input). It is on the overlay
-/// layer, so that it follows the input without a full replot. The plot owns it; it is hidden at first.
+/// Mark at the values of the present scenario (the current input): a ring on a vertical line. It is on the
+/// overlay layer, so that it follows the input without a full replot. The plot owns it; it is hidden at
+/// first.
 class HereMark : public QObject {
     Q_OBJECT
 
@@ -25,9 +26,11 @@ class HereMark : public QObject {
     virtual void setStyle(const PlotStyle& style);
     /// Returns the x of the mark, in the unit of the axis; nothing while the mark is hidden.
     std::optional<double> x() const { return m_x; }
-    /// Returns the y of the mark, in the unit of the axis; nothing without a ring.
+    /// Returns the y of the mark, in the unit of the axis. Nothing if the mark is only a vertical line, or
+    /// hidden.
     std::optional<double> y() const { return m_y; }
-    /// Returns x and y of the mark, in the units of the axes; nothing if one is missing.
+    /// Returns x and y of the mark of the present scenario, in the units of the axes. Nothing if the mark is
+    /// hidden or has only an x.
     std::optional<QPointF> place() const {
         return m_x && m_y ? std::optional(QPointF(*m_x, *m_y)) : std::nullopt;
     }

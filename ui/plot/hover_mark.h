@@ -26,26 +26,27 @@ struct CurvePoint {
 /// within `tolerance` [px]. Only the points of a graph near the pointer are searched, so that long curves
 /// cost no more than short ones.
 std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pixel, double tolerance);
-/// Returns whether a visible curve or point is within `reach` [px] of a pixel. Includes curves that are in no
-/// legend.
+/// Returns whether a visible curve or one of its points is within `reach` [px] of a pixel. Curves without a
+/// legend entry are included.
 bool isOnCurve(const QCustomPlot& plot, QPointF pixel, double reach);
 
-/// Returns a text with the curve's name and the x and y of the point, with their names and units, in three
-/// lines.
+/// Returns the label of a point of a curve in three lines: the name of the curve, and x and y with their
+/// names and units.
 QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QLocale& locale);
 
-/// Ring with a label on the layer "overlay". The caller redraws that layer after a change.
+/// Ring with a label that marks a point of a plot, such as the curve point at the mouse pointer. It is on the
+/// layer "overlay", which the caller redraws after a change.
 class HoverMark {
   public:
     explicit HoverMark(QCustomPlot& plot) : m_plot(plot) {}
 
-    /// Shows the ring at a point of an axis rect [px of the plot], with a label unless `text` is empty. The
-    /// caller then redraws the overlay.
+    /// Shows the ring at the point `pixel` [px of the plot] in the axis rect `rect`, with the label `text`
+    /// unless this is empty. The caller then redraws the layer "overlay".
     void show(QCPAxisRect& rect, QPointF pixel, const QString& text);
-    /// Hides the mark. Returns whether it was shown, so that the overlay must be redrawn.
+    /// Hides the mark. Returns true if it was visible; the caller must then redraw the overlay.
     bool hide();
     void setStyle(const PlotStyle& style);
-    /// Returns the label of the mark; empty while no label is shown.
+    /// Returns the label beside the ring; empty while no label is shown.
     QString text() const;
 
   private:

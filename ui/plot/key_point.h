@@ -15,72 +15,81 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Places that the keyboard can reach in a plot, in the coordinates of the bottom and left axes of `rect`.
+/// Places that the keyboard point can reach in a plot, in the coordinates of the bottom and left axes of
+/// `rect`.
 struct KeyPlaces {
-    /// Movement of the point by the arrow keys.
+    /// Way in which the arrow keys move the keyboard point.
     enum class On {
         curves,  ///< along a visible curve; up and down change to another curve
         points,  ///< from point to point of the visible curves
         area     ///< anywhere between the axes
     };
-    /// Axis rect of the places; nullptr if the keys have no places in this plot.
+    /// Axis rect whose places the keyboard point can reach; nullptr if there are none in this plot.
     QCPAxisRect* rect = nullptr;
     On on = On::curves;
-    /// Function that returns the place where the point appears. If it returns nothing, the point appears in
-    /// the middle of the view.
+    /// Function that returns the place where the keyboard point first appears. If it returns nothing, the
+    /// point appears in the middle of the view.
     std::function<std::optional<QPointF>()> start = [] { return std::nullopt; };
-    /// Function that returns notable places that the key N jumps to, such as extremes, kinks and presets.
+    /// Function that returns the marks of the plot, such as extremes, kinks and presets. The key N moves the
+    /// keyboard point from mark to mark.
     std::function<QVector<QPointF>()> marks = [] { return QVector<QPointF>(); };
-    /// Function that returns further places that a click selects, such as the cells of a coarse map.
+    /// Function that returns further places on which a click has an effect, such as the grid points of a
+    /// coarse map.
     std::function<QVector<QPointF>()> targets = [] { return QVector<QPointF>(); };
-    /// Function that returns a description of a place, which is shown above the numbers of the curve; may be
-    /// empty.
+    /// Function that returns a description of a place, such as the value of a map. It is shown at the
+    /// keyboard point, above the readings of the curve. It may be empty.
     std::function<QString(QPointF)> words = [](QPointF) { return QString(); };
 };
 
-/// Point on a plot that the keys move. It keeps its coordinates when the view changes, and stays on its curve
-/// when the curve changes. The plot owns it.
+/// Keyboard point: a point on a plot that the user moves by keys, as an alternative to the mouse. It keeps
+/// its coordinates when the view changes, and stays on its curve when the curve changes. The plot owns it.
 class KeyPoint : public QObject {
     Q_OBJECT
 
   public:
     explicit KeyPoint(PlotWidget& plot);
 
-    /// Sets the places that the keys can reach, which enables the keys, and hides the point.
+    /// Sets the places that the keyboard point can reach. This enables its keys and hides the point.
     void offer(KeyPlaces places);
-    /// Returns whether the plot has places for the keys.
+    /// Returns whether the plot has places that the keyboard point can reach.
     bool isOffered() const { return m_places.rect != nullptr; }
 
-    /// Shows the point at the start of the offered places. Does nothing if the point is already shown or no
-    /// place is available.
+    /// Shows the keyboard point at the start place set by offer(), or in the middle of the view if there is
+    /// none. Does nothing if the point is already shown, or if no place can be reached.
     void enter();
-    /// Hides the point and forgets its place.
+    /// Hides the keyboard point and forgets its place.
     void leave();
-    /// Returns the place of the point in coordinates of the axes; nothing before enter() and after leave().
+    /// Returns the place of the keyboard point in coordinates of the axes; nothing while there is no point,
+    /// that is before enter() and after leave().
     std::optional<QPointF> place() const { return m_place; }
-    /// Returns the place of the point in pixels of the plot; nothing before enter() and after leave().
+    /// Returns the place of the keyboard point in pixels of the plot; nothing while there is no point, that
+    /// is before enter() and after leave().
     std::optional<QPointF> pixel() const;
 
-    /// Moves the point by pixels to the right and upwards (negative: left, down). With On::points the numbers
-    /// count points. With On::curves any vertical step changes to the next curve.
+    /// Moves the keyboard point by pixels to the right and upwards (negative: left, down). With On::points,
+    /// `right` and `up` count points instead of pixels. With On::curves, any vertical step changes to the
+    /// next curve.
     void move(int right, int up);
-    /// Moves the point to the last place in view if `last`, else to the first one. Depending on
-    /// KeyPlaces::On, the places are those of its curve, of all points, or of the horizontal line through the
-    /// point.
+    /// Moves the keyboard point to the last place in view on the right if `last`, else to the first one on
+    /// the left. It moves along its curve, from point to point, or along a horizontal line, depending on
+    /// KeyPlaces::On.
     void goToEnd(bool last);
-    /// Moves the point to the next mark to the right, or to the left if not `forward`, continuing at the
-    /// other end. Returns false if no mark is in view.
+    /// Moves the keyboard point to the next mark to the right, or to the left if not `forward`. After the
+    /// last mark it continues at the other end. Returns false if no mark is in view.
     bool goToMark(bool forward);
-    /// Returns whether a mark or a target of the offered places is within `reach` [px] of a pixel.
+    /// Returns whether a mark or a click target passed to offer(), such as a point of a map, is within
+    /// `reach` [px] of a pixel.
     bool isOnMark(QPointF pixel, double reach) const;
-    /// Acts like a click at the place of the point: emits clicked() and placeTaken() of the plot.
+    /// Acts like a mouse click at the place of the keyboard point, with these modifier keys. Emits clicked()
+    /// and placeTaken() of the plot.
     void take(Qt::KeyboardModifiers modifiers);
 
-    /// Hides the point without forgetting its place, or shows it there again.
+    /// Hides the keyboard point, but keeps its place, or shows it there again. Used while the plot has no
+    /// focus, or is drawn to a file.
     void setHidden(bool hidden);
     bool isHidden() const { return m_hidden; }
     void setStyle(const PlotStyle& style) { m_mark.setStyle(style); }
-    /// Returns the label of the point; empty while the point is not shown.
+    /// Returns the label beside the keyboard point; empty while the point is not shown.
     QString text() const { return m_mark.text(); }
 
   private:

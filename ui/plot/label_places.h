@@ -11,7 +11,8 @@
 
 namespace drillwave {
 
-/// Text with the functions that move it to each of its possible places, the best place first.
+/// Label of a plot with functions that move it to each of its possible places, the best place first.
+/// placeLabels() chooses among them.
 struct PlacedLabel {
     QCPItemText* text;
     QVector<std::function<void()>> places;
@@ -20,12 +21,13 @@ struct PlacedLabel {
 /// Returns the rectangle of a text, in pixels of the plot.
 QRectF rectOf(const QCPItemText& text);
 
-/// Returns points along a graph as drawn, about 3 px apart, in pixels of the plot.
+/// Returns points along the line of a graph as drawn, about 3 px apart, in pixels of the plot. They are used
+/// to place labels where they cover no curve.
 QVector<QPointF> pointsAlong(const QCPGraph& graph);
 
-/// Places the labels one by one where least is lost. The cost is the area cut off by `room`, the overlap with
-/// `taken` and earlier labels, and the number of covered `points`. Among equally good places the first one is
-/// taken. Everything is in pixels of the plot.
+/// Moves each label, one after another, to the place that costs least. The cost grows with the area outside
+/// `room`, the overlap with `taken` and earlier labels, and the number of covered `points`. If several places
+/// cost the same, the first one is chosen. All coordinates are in pixels of the plot.
 void placeLabels(const QVector<PlacedLabel>& labels, const QRectF& room, QVector<QRectF> taken,
                  const QVector<QPointF>& points);
 

@@ -21,7 +21,8 @@ class LayerItems : public QObject {
   public:
     explicit LayerItems(QCPAxisRect* rect);
 
-    /// Shows the layers. A coordinate of a layer times `xFactor` or `yFactor` is a coordinate on the axes.
+    /// Shows the shaded layers of a figure, which lie one above the other between curves over x. A coordinate
+    /// of a layer times `xFactor` or `yFactor` is a value on the axis.
     void present(const FigureLayers& layers, double xFactor, double yFactor);
     void setStyle(const PlotStyle& style);
 

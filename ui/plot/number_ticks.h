@@ -9,8 +9,8 @@
 namespace drillwave {
 
 /// Ticker of QCustomPlot whose labels have a true minus sign and no group separators, because "1.000" would
-/// mean 1 in English. In powers of ten the "e" and the hyphen are kept in every language, because QCustomPlot
-/// recognises powers by them.
+/// mean 1 in English. Powers of ten keep "e" and the hyphen in every language, because QCustomPlot recognises
+/// powers by them.
 template <class Ticker>
 class NumberTicks : public Ticker {
   protected:

@@ -10,17 +10,17 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Keyboard control of one plot; the keys are listed at PlotWidget. The plot owns the object.
+/// Handler of the keys of one plot, which are listed in the comment of PlotWidget. The plot owns the object.
 class PlotKeys : public QObject {
     Q_OBJECT
 
   public:
     explicit PlotKeys(PlotWidget& plot);
 
-    /// Executes the command of a key. Returns whether the key has a meaning in the plot.
+    /// Executes the command of a key. Returns false if the key has no meaning in the plot.
     bool press(const QKeyEvent& event);
-    /// Sets whether the mouse pointer is over the plot. While it is, Backspace, A, B and T act on the plot
-    /// even if another widget has the focus.
+    /// Reports whether the mouse pointer is over the plot (`isHere`). While it is, Backspace, A, B and T act
+    /// on the plot even if another widget has the focus.
     void followPointer(bool isHere);
 
   protected:

@@ -11,8 +11,8 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Context menu for the point `at` of a plot [px], with the entries that are possible now. It deletes itself
-/// when it is closed.
+/// Context menu of a plot, opened at the point `at` [px]. It copies and saves the plot, changes its view,
+/// shows curves and places cursors. It deletes itself when it is closed.
 class PlotMenu : public QMenu {
     Q_OBJECT
 
@@ -20,8 +20,8 @@ class PlotMenu : public QMenu {
     PlotMenu(PlotWidget& plot, QPoint at);
 };
 
-/// Replaces the entries of `menu`, a menu of the menu bar, by those of the context menu at a point [px]. Call
-/// this when the menu is about to open.
+/// Replaces the entries of `menu`, a menu of the menu bar, by those of the context menu of the plot at a
+/// point [px]. Call this when the menu is about to open.
 void fillPlotMenu(QMenu& menu, PlotWidget& plot, QPoint at);
 
 }  // namespace drillwave

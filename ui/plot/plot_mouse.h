@@ -13,17 +13,18 @@ namespace drillwave {
 
 class PlotWidget;
 
-/// Handler of the mouse events of one plot, which owns it and passes the events on. The gestures are listed
-/// at PlotWidget.
+/// Handler of the mouse events of one plot. The plot owns it and passes its mouse events to it. All gestures
+/// are listed in the comment of PlotWidget.
 class PlotMouse {
   public:
     explicit PlotMouse(PlotWidget& plot) : m_plot(plot) {}
 
     void wheel(const QWheelEvent& event);
-    /// Handles a press before QCustomPlot does: switches on the selection box if this press starts one.
+    /// Handles a press of a mouse button before QCustomPlot does. Switches on the selection box if this press
+    /// starts one.
     void beforePress(const QMouseEvent& event);
-    /// Handles a press after QCustomPlot has: grabs a cursor, starts panning, or goes back to the previous
-    /// view.
+    /// Handles a press of a mouse button after QCustomPlot has: grabs a cursor, starts panning, or goes back
+    /// to the previous view.
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);

@@ -36,13 +36,14 @@ struct PlotStyle {
     /// Returns the pen of curve `index` (from 0) of a plot. The first four pens differ in both colour and
     /// dash pattern, the first sixteen in at least one of them.
     QPen linePen(int index) const;
-    /// Returns the pen of a curve of an earlier result, shown faintly: thin, translucent and dashed.
+    /// Returns the pen of curve `index` of an earlier result, which is shown faintly: thin, translucent and
+    /// dashed.
     QPen ghostPen(int index) const;
     /// Returns the brush for the area under curve `index`: its colour, translucent.
     QBrush areaBrush(int index) const;
 
-    /// Returns the brush behind words that are placed on curves. It is translucent, so that the curves remain
-    /// faintly visible.
+    /// Returns the brush for the background of words that are placed on curves. It is translucent, so that
+    /// the curves remain faintly visible.
     QBrush behindWords() const;
 
     void applyTo(QCPAxisRect& rect) const;
@@ -50,8 +51,8 @@ struct PlotStyle {
     void applyTo(QCPTextElement& title) const;
 };
 
-/// Returns the layer below the curves for curves of an earlier result. Creates it if the plot does not have
-/// it.
+/// Returns the layer for curves of other results, such as an earlier result or pinned runs. It lies below the
+/// layer of the usual curves, and is created if the plot does not have it yet.
 QCPLayer* ghostLayer(QCustomPlot& plot);
 
 }  // namespace drillwave

@@ -24,18 +24,18 @@ namespace drillwave {
 
 class PlotKeys;
 
-/// Plot widget of all pages.
+/// Plot widget used on all pages of the window.
 ///
 /// Mouse: the wheel with Ctrl zooms at the pointer; over an axis it zooms only that axis. Dragging pans;
-/// dragging with Shift or with the right button zooms to a box. A double-click fits, the back button goes
-/// back. A click on a legend entry hides or shows its curve; a click on a curve chooses it for reading.
-/// Cursors can be dragged.
+/// dragging with Shift or with the right button zooms to a box. A double-click brings everything into view,
+/// the back button returns to the previous view. A click on a legend entry hides or shows its curve. A click
+/// on a curve chooses it for the readings below the plot. Cursors can be dragged.
 ///
-/// Keys: arrows pan, + and − zoom, Home fits, Backspace or Alt+Left goes back. A, B and T place cursors at
-/// the pointer, or in the middle if the pointer is elsewhere. Ctrl+Left and Ctrl+Right move the cursor placed
-/// last by one pixel, with Shift by ten.
+/// Keys: arrows pan, + and − zoom, Home brings everything into view, Backspace or Alt+Left returns to the
+/// previous view. A, B and T place cursors at the pointer, or in the middle if the pointer is elsewhere.
+/// Ctrl+Left and Ctrl+Right move the cursor placed last by one pixel, with Shift by ten.
 ///
-/// Point for keys: if a page has offered places to keyPoint(), Enter shows a point there. Arrows move it by
+/// Keyboard point: if a page has offered places to keyPoint(), Enter shows a point there. Arrows move it by
 /// one pixel (or from point to point, or from curve to curve), with Shift by ten. Home and End move it to the
 /// ends, N and Shift+N to the next and the previous mark. Enter then acts like a click at the point,
 /// Shift+Enter like a click with Shift; A and B place cursors there. Esc or a mouse click removes the point.
@@ -43,8 +43,8 @@ class PlotKeys;
 /// Focus: zooming with the wheel gives the plot the focus. Backspace, A, B and T act on the plot below the
 /// pointer even if another widget has the focus, except for text fields.
 ///
-/// Only curves with an entry in a legend are read, hidden and copied. All axis rects with graphs are assumed
-/// to share one x axis; the page links their ranges. All x and y are in the units of the axes.
+/// Only curves with an entry in a legend can be read, hidden and copied. All axis rects with graphs are
+/// assumed to share one x axis; the page links their ranges. All x and y are in the units of the axes.
 class PlotWidget : public QCustomPlot {
     Q_OBJECT
 
@@ -57,75 +57,83 @@ class PlotWidget : public QCustomPlot {
     explicit PlotWidget(QWidget* parent = nullptr);
     ~PlotWidget() override;
 
-    /// Applies the style of the present palette by `restyle` now, and again whenever palette or font change.
+    /// Calls `restyle` with the style of the present palette, now and again whenever palette or font change.
     void followPalette(Restyle restyle);
 
-    /// Sets the meaning of a curve: its units, and the exact functions that its points sample, if there are
-    /// any. Set it again with every new result; it is forgotten when the curve is deleted.
+    /// Sets the meaning of a curve: its units and, if they are known, the exact functions of which its points
+    /// are samples. Set it again with every new result; it is forgotten when the curve is deleted.
     void setMeaning(const QCPAbstractPlottable* curve, const CurveMeaning& meaning);
-    /// Returns the reader of the curves at the cursors.
+    /// Returns the reader, which computes the values of a curve at the cursors and shows them below the plot.
     CurveReader& reader() { return m_reader; }
     CursorMover& mover() { return m_mover; }
     PlotView& view() { return m_view; }
-    /// Returns the point that the keys move. A page calls its offer() to enable the keys.
+    /// Returns the keyboard point, which the user moves by keys. A page calls its offer() to enable these
+    /// keys.
     KeyPoint& keyPoint() { return *m_point; }
-    /// Returns whether the page uses the time cursor, that is, whether it has connected timeCursorDragged().
+    /// Returns whether the plot has a time cursor. It has one if its page has connected the signal
+    /// timeCursorDragged().
     bool offersTime() const;
     /// Shows a ring and a label at a point of a curve; removes them if `point` is empty.
     void markPoint(const std::optional<CurvePoint>& point);
-    /// Returns a text with the curve's name and the point's x and y, with names and units.
+    /// Returns the label of a point of a curve: the name of the curve, then x and y with their names and
+    /// units.
     QString words(const CurvePoint& point) const;
-    /// Returns the label of the mark at the mouse pointer; empty if there is none.
+    /// Returns the label shown at the mouse pointer for the nearest curve point; empty if there is none.
     QString hoverText() const { return m_hover.text(); }
 
     void setCurveVisible(QCPAbstractPlottable* curve, bool visible);
-    /// Sets an axis linear or logarithmic. A horizontal axis takes those of all stacked plots along.
+    /// Makes an axis linear or logarithmic. If plots are stacked, the horizontal axes of all of them change
+    /// together.
     void setAxisScale(QCPAxis* axis, QCPAxis::ScaleType scale);
 
     /// Returns the present view as bytes of a file: black on white, with numbers in C locale, and with the
     /// placed cursors. `format` is one of plotFormats(); `dpi` is the resolution of PNG. See renderPlot().
     QByteArray drawing(const QString& format, Millimetres size, double dpi = standardDpi,
                        const QString& title = {});
-    /// Returns the size of the plot on screen [mm], at 96 dots per inch.
+    /// Returns the size [mm] that the plot has on paper if it is printed as large as on a screen with 96 dots
+    /// per inch.
     Millimetres sizeOnPaper() const;
     /// Returns the data of the plot as CSV in English; see plotCsv().
     QByteArray csv() const { return dataText(','); }
-    /// Returns whether the plot has data to copy: a visible curve with points, or a function set by
-    /// setDataText().
+    /// Returns whether the plot has data to copy or save: a visible curve with points, or data from the
+    /// function set by setDataText().
     bool hasData() const;
-    /// Sets the function that returns the data of a plot without curves, in the form of plotCsv().
+    /// Sets the function that returns the data to copy and save, in the form of plotCsv(). Needed for plots
+    /// without curves, such as maps.
     void setDataText(DataText text) { m_dataText = std::move(text); }
-    /// Sets the function that names curves and axes in the present language. It is called again when csv()
-    /// switches to English (EnglishTexts) and back.
+    /// Sets the function that names the curves and axes in the present language. It is called when csv()
+    /// switches to English (EnglishTexts), and again afterwards.
     void setNaming(std::function<void()> name) { m_name = std::move(name); }
 
-    /// Sets whether the plot belongs to the present input. An outdated plot cannot be copied or saved.
+    /// Sets whether the plot shows results of the present input. An outdated plot cannot be copied or saved.
     void setCurrent(bool current);
     bool isCurrent() const { return m_current; }
 
-    /// Opens the context menu for a point of the plot [px], or for the middle of the axis rect used last if
-    /// `at` is empty.
+    /// Opens the context menu for the point `at` of the plot [px]. If `at` is empty, the menu opens in the
+    /// middle of the axis rect used last.
     void openMenu(std::optional<QPoint> at = {});
 
     QSize minimumSizeHint() const override { return {300, 240}; }
 
   public slots:
-    /// Saves the present view for going back, emits fitRequested() and fits logarithmic axes.
+    /// Brings everything into view: emits fitRequested(), on which the page fits its axes, and fits
+    /// logarithmic axes. The user can go back to the view before.
     void fit();
     void copyPicture();
     void copyData();
 
   signals:
-    /// Asks the page to bring everything into view.
+    /// Asks the page to set axis ranges that bring everything into view.
     void fitRequested();
-    /// Reports a click with the left button, pressed and released at one place of `rect`. `coordinates` are
-    /// those of its bottom and left axes.
+    /// Reports a click with the left button between the axes of `rect`. `coordinates` are those of its bottom
+    /// and left axes. Pressing and releasing at different places is a drag, not a click.
     void clicked(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
-    /// Reports a click on a curve or a mark, or Enter at the point for keys. The page may then change the
-    /// scenario. Clicks elsewhere, such as one that only gives the plot the focus, emit only clicked().
+    /// Reports a click on a curve or a mark, or Enter at the keyboard point. The page may then take the value
+    /// there into the scenario. Clicks elsewhere, such as one that only gives the plot the focus, emit only
+    /// clicked().
     void placeTaken(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
-    /// Reports that the user has moved the time cursor to x (unit of the axis). A page that connects this
-    /// signal offers the time cursor.
+    /// Reports that the user has moved the time cursor to x (unit of the axis). A plot has a time cursor only
+    /// if its page connects this signal.
     void timeCursorDragged(double x);
     void savePictureRequested();
     void saveDataRequested();

@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Number with its name and unit. A value of NaN means that it is not known.
+/// Cell of the table of readings below a plot: a number with its name and unit. A value of NaN means that it
+/// is not known.
 struct ReadingCell {
     /// Full name, used for copying and for screen readers, such as "F at A". An empty name means an empty
     /// cell.
@@ -22,25 +23,25 @@ struct ReadingCell {
     QString unit = {};
     QString words = {};  ///< word shown instead of the number, if the axis has words
 
-    /// Returns the cell as shown, such as "1.2 ms", or "–" if the value is not known. `digits` are
-    /// significant digits.
+    /// Returns the content of the cell as shown, such as "1.2 ms", or "–" if the value is not known. `digits`
+    /// is the number of significant digits.
     QString text(const QLocale& locale, int digits) const;
 };
 
-/// Number of cells of the table: three columns of two cells, x above y, and three single cells. A cell
-/// without a name stays empty.
+/// Number of cells of the table of readings: three columns of two cells (x above y), and three further cells.
+/// A cell without a name stays empty.
 inline constexpr qsizetype readingCellCount = 9;
 using ReadingCells = QList<ReadingCell>;
 
-/// Returns the cells of the readings at the cursors: x and y at A and B, their differences, mean, slope and
-/// integral. `meaning` must contain the names of x and y.
+/// Returns the cells of the table below the plot for the cursors A and B: x and y at A and B, their
+/// differences, mean, slope and integral. `meaning` must contain the names of x and y.
 ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meaning);
 
-/// Returns the cells of the readings in the view: smallest and largest y with their x, ends of the view, mean
-/// and integral. `meaning` must contain the names of x and y.
+/// Returns the cells of the table below the plot for the part of the curve in view: smallest and largest y
+/// with their x, ends of the part, mean and integral. `meaning` must contain the names of x and y.
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning);
 
-/// Significant digits of a number in the table if there is enough space.
+/// Significant digits of a number in the table of readings below a plot, if there is enough space.
 inline constexpr int readingDigits = 6;
 
 /// Returns all cells in one line: "A 1.2 ms · F at A 10 kN · …".

@@ -17,35 +17,38 @@
 
 namespace drillwave {
 
-/// Returns the legend text of a pinned run, at most 24 characters long. With more than three `runs` it is
-/// only the letter of the run.
+/// Returns the legend text of the pinned run with this title, at most 24 characters long. If there are more
+/// than three runs (`runs` is their number), it is only the letter of the run.
 QString runLegend(const QString& title, qsizetype runs);
 
-/// Returns the pen of a run changed to a translucent band, 4 px wide, with the run's dashes.
+/// Returns the pen for showing a run as a band: `pen` made translucent and 4 px wide, with the same dashes.
 QPen runBand(QPen pen);
 
-/// Curve of one pinned run (a result kept for comparison).
+/// Curve of one pinned run (a result kept for comparison), with its points in `data`.
 template <class Data>
 struct RunDrawing {
     int number = 0;  ///< number of the run (from 0), which decides its letter, colour and dash pattern
     QString title;   ///< title of the run: its letter and what differs, such as "A  k 300 MN/m"
     Data data;
 };
-/// Curve of a pinned run (a result kept for comparison) with ascending x.
+/// Curve of a pinned run (a result kept for comparison) whose x never decreases.
 using RunCurve = RunDrawing<GraphData>;
-/// Curve of a pinned run (a result kept for comparison) that may turn back in x.
+/// Curve of a pinned run (a result kept for comparison) whose x may also decrease along the curve, such as a
+/// force–penetration loop.
 using RunPath = RunDrawing<QSharedPointer<QCPCurveDataContainer>>;
 
-/// Curves of pinned runs over two axes, drawn below the curves of the page. The legend gives their names, or
-/// only their letters if the names do not fit or are many. The plot owns the object.
+/// Curves of pinned runs (results kept for comparison) on one pair of axes, drawn below the curves of the
+/// page. The legend gives their names, or only their letters if the names do not fit or are many. The plot
+/// owns the object.
 template <class Plottable, class Drawing>
 class RunDrawings : public QObject {
   public:
-    /// Line width factor for pinned runs in plots where the page draws many curves of its own.
+    /// Factor of the line width of pinned runs (results kept for comparison) in plots that have many curves
+    /// of their own.
     static constexpr double thin = 0.7;
 
-    /// Creates an empty set of curves. If `legend` is nullptr, the curves can be neither read nor copied.
-    /// `width` is a factor of the line width.
+    /// Creates an empty set of curves on the axes `x` and `y`. If `legend` is nullptr, the user can neither
+    /// read nor copy the curves. `width` is a factor of the line width.
     RunDrawings(QCPAxis* x, QCPAxis* y, QCPLegend* legend, double width = 1)
         : QObject(x->parentPlot()),
           m_x(x),
@@ -58,12 +61,12 @@ class RunDrawings : public QObject {
         connect(x->parentPlot(), &QCustomPlot::afterLayout, this, [this] { fitNames(); });
     }
 
-    /// Draws the runs as translucent bands, for plots in which thin lines mean something else. `name` is the
-    /// name of the quantity; the legend shows it with the letter of the run, such as "N A".
+    /// Draws the runs as translucent bands, because thin lines already have another meaning in this plot.
+    /// `name` is the name of the quantity; the legend shows it with the letter of the run, such as "N A".
     void setBands(const QString& name) { m_bands = name; }
 
-    /// Replaces the curves. If the runs are the same as before, hidden curves stay hidden, and the curve
-    /// chosen for readings stays chosen.
+    /// Replaces the curves of the pinned runs. If the runs are the same as before, curves hidden by the user
+    /// stay hidden, and the curve chosen for the readings stays chosen.
     void present(const QVector<Drawing>& drawings) {
         const bool isSame = std::ranges::equal(drawings, m_drawings, [](const auto& a, const auto& b) {
             return a.number == b.number && a.title == b.title;
@@ -72,7 +75,7 @@ class RunDrawings : public QObject {
         if (!isSame) makeAnew();
         for (qsizetype i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_drawings[i].data);
     }
-    /// Moves the entries of the pinned runs to the end of the legend.
+    /// Moves the legend entries of the pinned runs to the end of the legend.
     void standLast() {
         if (!m_legend) return;
         for (Plottable* graph : std::as_const(m_graphs)) {

@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Pinned run shown as a point, with x and y in the units of the axes.
+/// Pinned run (a result kept for comparison) shown as a point, with x and y in the units of the axes.
 struct RunMark {
     int number = 0;  ///< number of the run (from 0), which decides its letter and colour
     QString title;
@@ -20,17 +20,17 @@ struct RunMark {
     bool operator==(const RunMark&) const = default;
 };
 
-/// Marks of pinned runs in their colours, each with its name, above everything else. A name is placed around
-/// its point where there is space, and shortened to the letter of the run otherwise. The plot owns the
-/// object.
+/// Marks of pinned runs (results kept for comparison) as squares in the colours of the runs, above everything
+/// else. Each has its name beside it where there is space, otherwise only the letter of the run. The plot
+/// owns the object.
 class RunMarks : public QObject {
     Q_OBJECT
 
   public:
     RunMarks(QCustomPlot* plot, QCPAxis* x, QCPAxis* y);
 
-    /// Replaces the marks. Returns whether they differ from the present ones, so that the plot must be
-    /// redrawn.
+    /// Replaces the marks of the pinned runs. Returns true if they differ from the present ones; the plot
+    /// must then be redrawn.
     bool present(const QVector<RunMark>& marks);
     void setStyle(const PlotStyle& style);
     const QVector<RunMark>& marks() const { return m_marks; }

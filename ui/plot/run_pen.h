@@ -14,8 +14,8 @@ namespace drillwave {
 /// thirty-six in at least one of them; no pen is solid.
 QPen runPen(int number, const PlotStyle& style);
 
-/// Returns an icon of `size` with a line in the pen of a run, for a list of runs. The palette decides between
-/// the light and the dark colours.
+/// Returns an icon with a line in the pen of pinned run `number` (from 0), for a list of runs. The palette
+/// decides whether the colours are for a light or a dark background.
 QIcon runIcon(int number, const QPalette& palette, QSize size);
 
 }  // namespace drillwave

@@ -17,18 +17,18 @@ class SeriesDrag : public QObject {
   public:
     explicit SeriesDrag(QCustomPlot& plot);
 
-    /// Sets the curve that can be dragged; nullptr for none.
+    /// Sets the curve that the user can drag; nullptr for none.
     void setCurve(QCPGraph* curve);
-    /// Returns the height of a pixel above the curve [px], negative below it; nothing if the curve has no
-    /// point there.
+    /// Returns how far a pixel is above the curve [px], negative if it is below. Nothing if the curve has no
+    /// point at this x, or the pixel is outside the axes.
     std::optional<double> heightAbove(QPointF pixel) const;
 
   signals:
-    /// Reports that the user has begun to drag the curve, at a point with the value y (unit of the axis). The
-    /// moves until the release belong together.
+    /// Reports that the user begins to drag the curve, at a point with the value y (unit of the axis). All
+    /// signals moved() until the release of the mouse belong to this drag.
     void begun(double y);
-    /// Reports a drag of the curve: the point of the curve where the drag began is now at the value y (unit
-    /// of the axis).
+    /// Reports that the user has dragged the curve. The point of the curve where the drag began should now be
+    /// at the value `y` (unit of the axis).
     void moved(double y);
 
   protected:

@@ -19,19 +19,21 @@
 
 namespace drillwave {
 
-/// Base of the plots of pages, for screen and files. A derived class adds its items, and defines how to style
-/// them, how to clear them and which ranges show all of them. The plot owns the object.
+/// Base class for the plots of pages, on screen and in files. It draws what all plots have: legend, caption,
+/// messages, pinned runs and the mark of the present scenario. A derived class adds its own items, styles and
+/// clears them, and sets the ranges that show all of them. The plot owns the object.
 class StudyFrame : public QObject {
     Q_OBJECT
 
   public:
-    /// Removes all curves and shows `message` instead, which says why there are none.
+    /// Removes all curves and other results from the plot, and shows `message` instead, which says why there
+    /// are none.
     void showNothing(const QString& message);
-    /// Places the mark of the present scenario at x and y, in the units of the axes. Without y it is a
-    /// vertical line, without x it is hidden.
+    /// Moves the mark of the present scenario (the current input) to x and y, in the units of the axes. With
+    /// no y the mark is only a vertical line; with no x it is hidden.
     void setHere(std::optional<double> x, std::optional<double> y) { m_here->setPlace(x, y); }
-    /// Shows pinned runs (results kept for comparison) as marks and, in plots of curves, as curves. All are
-    /// in the units of the axes.
+    /// Shows the pinned runs (results kept for comparison) as marks. Plots of curves also show the `curves`
+    /// of the runs. All coordinates are in the units of the axes.
     void setRuns(const QVector<RunMark>& marks, const QVector<RunCurve>& curves = {});
     const QVector<RunMark>& runMarks() const {
         static const QVector<RunMark> none;  // before the plot has runs
@@ -44,60 +46,63 @@ class StudyFrame : public QObject {
     void setStyle(const PlotStyle& style);
     /// Sets the ranges of the axes so that everything in the plot is in view.
     void fit();
-    /// Sets the ranges of the axes so that everything is in view, unless the user has zoomed or panned.
+    /// Brings everything into view, unless the user has zoomed or panned.
     void fitUnlessZoomed();
-    /// Returns the places that the keys can reach in this plot. The default has no axis rect, so that the
-    /// keys do nothing.
+    /// Returns the places that the keyboard point can reach in this plot. By default there are none (no axis
+    /// rect), so that the keys do nothing.
     virtual KeyPlaces keyPlaces() const { return {}; }
-    /// Returns a description of the plot in words, for assistive tools and for the line above the plot.
+    /// Returns a description of the plot in words, for screen readers and for the line above the plot.
     QString textSummary() const { return m_summary; }
 
   protected:
     explicit StudyFrame(QCustomPlot* plot);
 
-    /// Removes what the derived class has drawn. The base class has already removed runs, caption and the
-    /// mark of the scenario.
+    /// Removes what the derived class has drawn; called when a message is shown instead of results. The base
+    /// class has already removed the pinned runs, the caption and the mark of the present scenario.
     virtual void clear() = 0;
-    /// Applies m_style to the items of the derived class; the base class has already applied it to its own
-    /// items.
+    /// Applies the style m_style to all items that the derived class has added; called after every change of
+    /// the style. The base class has already applied it to its own items.
     virtual void restyle() = 0;
-    /// Sets the axis ranges that bring everything into view.
+    /// Sets the ranges of all axes so that everything drawn is in view. Called by fit().
     virtual void setRanges() = 0;
 
-    /// Removes QCustomPlot's own axes and legend from the plot. New curves are not added to a legend
-    /// automatically.
+    /// Removes QCustomPlot's own axes and legend, so that the derived class can build its own layout. New
+    /// curves are not added to a legend automatically.
     void layOutAnew();
-    /// Makes `rect` the axis rect whose ranges are fitted and zoomed.
+    /// Makes `rect` the axis rect whose ranges fit() sets. From now on, zooming or panning by the user in
+    /// this rect is noticed.
     void view(QCPAxisRect* rect);
-    /// Returns the horizontal axis of the fitted axis rect.
+    /// Returns the horizontal axis of the axis rect passed to view().
     QCPAxis* x() const { return m_rect->axis(QCPAxis::atBottom); }
-    /// Returns the vertical axis of the fitted axis rect.
+    /// Returns the vertical axis of the axis rect passed to view().
     QCPAxis* y() const { return m_rect->axis(QCPAxis::atLeft); }
-    /// Returns the position in pixels of a point given in the units of the axes.
+    /// Returns the position of a point in pixels of the plot; `at` is given in the units of the axes.
     QPointF pixelOf(QPointF at) const { return {x()->coordToPixel(at.x()), y()->coordToPixel(at.y())}; }
-    /// Adds an element in a new row above all others, only as high as the element needs.
+    /// Adds an element, such as a legend, to the layout of the plot. It gets a new row at the top, which is
+    /// only as high as the element needs.
     void insertAbove(QCPLayoutElement* element);
-    /// Makes the plot's legend visible and uses it, or a new legend if the layout has deleted the old one.
+    /// Makes the plot's legend visible and uses it. If the layout has deleted it, uses a new legend.
     /// `margins` are in pixels.
     void useLegend(const QMargins& margins);
-    /// Adds a row with legend and (still empty) caption above the axes, where they cannot hide a curve, with
-    /// `spaceBelow` [px]. Returns the layout of that row.
+    /// Adds a row above the axes, where it cannot hide a curve, with the legend and an empty caption.
+    /// `spaceBelow` is the space below the caption [px]. Returns the layout of that row.
     QCPLayoutGrid* addHeader(int spaceBelow);
-    /// Adds the mark of the present scenario over the axes of the fitted rect: `mark`, or a new one for
-    /// nullptr.
+    /// Adds the mark at the values of the present scenario to the axis rect passed to view(). The mark is
+    /// `mark`, or a new HereMark if it is nullptr.
     void addHere(HereMark* mark = nullptr);
     const HereMark& here() const { return *m_here; }
-    /// Adds the marks of pinned runs, which need the axes of the fitted rect.
+    /// Prepares the plot for showing marks of pinned runs, see setRuns(). Call this after view().
     void addRunMarks();
-    /// Adds the curves of pinned runs. `width` is a factor of the line width.
+    /// Prepares the plot for showing the curves of pinned runs, see setRuns(). `width` is a factor of the
+    /// line width.
     void addRunCurves(double width = 1);
-    /// Moves the pinned runs to the end of the legend.
+    /// Moves the legend entries of the pinned runs (results kept for comparison) to the end of the legend.
     void standRunsLast() { m_runCurves->standLast(); }
     /// Adds a text to an axis rect, in font and colour of the style. `padding` is in pixels. Returns the
     /// text, which the plot owns.
     QCPItemText* addText(QCPAxisRect* rect, const QMargins& padding, Qt::Alignment alignment);
-    /// Hides the message of showNothing(). Fits the view if it was fitted before or if the axes are
-    /// different. Call this after showing new results.
+    /// Hides the message of showNothing(). Brings everything into view, unless the user has zoomed and the
+    /// axes are the same as before. Call this after showing new results.
     void finish(bool hasOtherAxes);
 
     QCustomPlot* m_plot;

@@ -24,8 +24,8 @@ class ViewHistory {
     void rememberBurst();
     /// Returns whether a saved view differs from the present one.
     bool canGoBack() const;
-    /// Restores the newest saved view that differs from the present one. Removes it and all newer views from
-    /// the stack.
+    /// Restores the newest saved view that differs from the present one, and removes it and all newer views
+    /// from the stack.
     void goBack();
 
   private:

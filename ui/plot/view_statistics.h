@@ -21,9 +21,10 @@ struct ViewStatistics {
     double integral = 0;   ///< integral over the part in view, in CurveMeaning::integralUnit
 };
 
-/// Returns the statistics of a curve for the range `view` of x. They use the exact functions of `meaning` if
-/// it has them, else the line through the drawn points. Extremes are looked for at the points and the ends of
-/// the view, and with an exact function also between the neighbours of the points found.
+/// Returns the statistics of a curve for x in the range `view`. Values, mean and integral are those of the
+/// exact functions of `meaning`, or else of the line through the drawn points. Extremes are searched at the
+/// drawn points and at both ends of `view`. With an exact function, they are refined between the neighbouring
+/// points.
 ViewStatistics viewStatistics(const QCPGraphDataContainer& points, const CurveMeaning& meaning,
                               QCPRange view);
 

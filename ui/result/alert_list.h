@@ -24,11 +24,13 @@ class AlertList : public QWidget {
   public:
     explicit AlertList(QWidget* parent = nullptr);
 
-    /// Shows why there is no solution (if `problem` is not empty), then the alerts about the scenario.
+    /// Shows the alerts about the scenario. If `problem`, the reason for a missing solution, is not empty, it
+    /// comes first.
     void present(const QString& problem, const std::vector<Alert>& alerts, const LocalStyle& style);
-    /// Returns the texts of the list, one for each alert, after the reason for a missing solution.
+    /// Returns the texts of the list: first the reason for a missing solution, if there is one, then one text
+    /// for each alert.
     QStringList texts() const { return m_texts; }
-    /// Returns whether the first text says why there is no solution.
+    /// Returns whether the first text of the list is the reason for a missing solution, not an alert.
     bool hasProblem() const { return m_hasProblem; }
     /// Returns the number of warnings in the list.
     qsizetype warningCount() const { return m_warningCount; }
@@ -41,7 +43,8 @@ class AlertList : public QWidget {
   signals:
     /// Reports that the texts have changed.
     void changed();
-    /// Reports that the user has clicked the parameter of an alert; `key` is its key as in parameters().
+    /// Reports that the user has clicked the name of a parameter in an alert. `key` is the parameter's key in
+    /// scenario files, as listed by parameters().
     void parameterChosen(const QString& key);
 
   private:
@@ -58,7 +61,8 @@ class AlertList : public QWidget {
 
 // A button that shows the number of alerts, for places where the list may be out of sight.
 
-/// Button with the number of alerts, such as "⚠ 2 warnings · ℹ 1 note"; its tooltip has their texts.
+/// Button with the number of alerts, such as "⚠ 2 warnings · ℹ 1 note"; its tooltip lists them. It is placed
+/// where the list itself may be out of sight.
 class AlertLink : public QToolButton {
     Q_OBJECT
 

@@ -9,17 +9,19 @@
 
 namespace drillwave {
 
-/// Parts of the energy in the order of the bar.
+/// Parts of the hammer work (for a drill string, of the hammer energy) in the order in which the energy bar
+/// shows them.
 inline constexpr std::array energyParts{EnergyPart::rock, EnergyPart::rebound, EnergyPart::waves,
                                         EnergyPart::hammer, EnergyPart::losses};
 
 /// Returns the short name of a part of the energy, such as "rock".
 QString energyPartName(EnergyPart part);
-/// Returns the share of a part in the whole energy, 0 … 1. Negative values from rounding are returned as 0.
+/// Returns the share of a part in the hammer work (for drill strings in the hammer energy), 0 … 1. Negative
+/// values from rounding are returned as 0.
 double energyShare(const ImpactSummary& summary, EnergyPart part);
 
-/// Horizontal bar of the energy parts, which differ in pattern, colour and, where it fits, text. It is empty
-/// without a result.
+/// Horizontal bar of the parts of the energy. They differ in pattern and colour, and have labels where these
+/// fit. The bar is empty without a result.
 class EnergyBar : public QWidget {
     Q_OBJECT
 
@@ -28,7 +30,7 @@ class EnergyBar : public QWidget {
 
     void present(const ImpactSummary& summary);
     void clear();
-    /// Returns the text in a part of the bar; empty if it does not fit.
+    /// Returns the text drawn in this part of the energy bar, such as "rock 62 %"; empty if it does not fit.
     QString labelOf(EnergyPart part) const;
 
     QSize sizeHint() const override;
@@ -44,7 +46,8 @@ class EnergyBar : public QWidget {
     std::array<double, energyParts.size()> m_shares{};  // sum 1; all 0 without a result
 };
 
-/// Small sample of the pattern of one energy part, for the list below the bar.
+/// Small sample of the pattern of one part of the energy. It shows in the list below the energy bar which
+/// part a row belongs to.
 class EnergySwatch : public QWidget {
     Q_OBJECT
 

@@ -12,8 +12,8 @@ namespace drillwave {
 
 // The table of events: the time, and what happened at the bit.
 
-/// Table model of the events of a blow. It reads them from the shared result, so that many contacts cost
-/// nothing.
+/// Table model of the events of a blow, such as the start and end of each contact at the bit. It reads them
+/// from the shared result without copying, because a blow can have thousands of contacts.
 class EventModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -21,9 +21,11 @@ class EventModel : public QAbstractTableModel {
     using QAbstractTableModel::QAbstractTableModel;
 
     void present(const SolvedBlowPtr& blow);
-    /// Returns the global time of the event in a row [t0].
+    /// Returns the time of the event in a row, counted from the start of the blow. It is in units of t0, the
+    /// duration of the hammer force.
     double timeAt(int row) const;
-    /// Returns the row of the first event at a global time [t0]; nothing if there is none.
+    /// Returns the row of the first event at a time after the start of the blow, in units of t0 (duration of
+    /// the hammer force). Nothing if no event is at this time.
     std::optional<int> rowAt(double time) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -36,7 +38,8 @@ class EventModel : public QAbstractTableModel {
     ShownUnit m_unit;  // unit of the times shown
 };
 
-/// Table of the events of a blow.
+/// Table of the events of a blow at the bit, each with its time. It follows the time cursor: the event at its
+/// time is selected.
 class EventTable : public QTableView {
     Q_OBJECT
 
@@ -44,11 +47,13 @@ class EventTable : public QTableView {
     explicit EventTable(QWidget* parent = nullptr);
 
     void present(const SolvedBlowPtr& blow);
-    /// Marks the event at the time cursor [t0]; none if there is no event or `time` is empty.
+    /// Marks the event at the time cursor. `time` is in units of t0 (duration of the hammer force) from the
+    /// start of the blow. Marks no event if there is none at this time, or if `time` is empty.
     void setTime(std::optional<double> time);
 
   signals:
-    /// Reports that the user has chosen an event; `time` is its global time [t0].
+    /// Reports that the user has chosen an event in the table. `time` is in units of t0 (duration of the
+    /// hammer force) from the start of the blow.
     void timeChosen(std::optional<double> time);
 
   protected:

@@ -25,24 +25,28 @@ class EventTable;
 
 // A short sequence of blows, computed in addition to the blow that is shown.
 
-/// Sequence of consecutive blows for the scenario of the result panel. It is computed when the values have
-/// not changed for a moment, with as many blows as fit into one second. If 100 blows take longer, it is
-/// computed only after follow(). The result of an earlier blow is not shown.
+/// Sequence of consecutive blows for the scenario of the result panel. It is computed when the input has not
+/// changed for a moment, with as many blows as fit into one second. If 100 blows take longer than this, it is
+/// computed only after follow(). The result for an earlier input is not shown.
 class ShortSequence : public QObject {
     Q_OBJECT
 
   public:
     explicit ShortSequence(QObject* parent = nullptr);
 
-    /// Requests the sequence for a blow; there is none without feed force and blow frequency.
+    /// Requests the sequence of blows for the scenario of a blow. There is none if the scenario has no feed
+    /// force or no blow frequency.
     void ask(const SolvedBlow& blow);
-    /// Starts the computation although it takes longer than one second.
+    /// Starts the computation of the sequence even if it will take longer than one second; called when the
+    /// user asks for it.
     void follow();
-    /// Returns the result for the last blow; nullptr if there is none yet.
+    /// Returns the result of the sequence for the blow last passed to ask(); nullptr until it is computed.
     const DrillingResult* result() const;
-    /// Returns whether the sequence is being computed or will be soon.
+    /// Returns whether the sequence of blows is being computed, or will be soon. False while it waits for
+    /// follow().
     bool isAwaited() const;
-    /// Returns the estimated computing time [s] while the sequence waits for follow(); otherwise nothing.
+    /// Returns the estimated computing time of the sequence [s] if it is so long that the sequence waits for
+    /// follow(); otherwise nothing.
     std::optional<double> secondsOnRequest() const;
 
   signals:
@@ -59,7 +63,7 @@ class ShortSequence : public QObject {
     QTimer m_rest;
 };
 
-/// Panel with the results of a blow: required feed, energy, numbers in sections, alerts and events.
+/// Panel with the results of a blow: required feed force, energy, groups of numbers, alerts and events.
 class ResultPanel : public SteadyScrollArea {
     Q_OBJECT
 
@@ -67,43 +71,50 @@ class ResultPanel : public SteadyScrollArea {
     explicit ResultPanel(QWidget* parent = nullptr);
 
     void present(const SolvedBlowPtr& blow);
-    /// Sets the blow that every number is compared with, and its title; nullptr for none.
+    /// Sets the blow with which the panel compares every number, and its title. If it is nullptr, no
+    /// differences are shown.
     void setReference(const SolvedBlowPtr& blow, const QString& title);
-    /// Marks the event at the time cursor [t0]; none if there is no event or `time` is empty.
+    /// Marks the event at the time cursor. `time` is in units of t0 (duration of the hammer force) from the
+    /// start of the blow. Marks no event if there is none at this time, or if `time` is empty.
     void setTime(std::optional<double> time);
     /// Sets whether the results belong to an earlier input. If so, they are greyed out and copied text says
     /// so.
     void setOutOfDate(bool outOfDate);
-    /// Returns all numbers as lines of "section: name<tab>value", with "<tab>difference" if there is a
-    /// reference.
+    /// Returns all numbers of the panel, one per line, as "section: name<tab>value". "<tab>difference"
+    /// follows if there is a reference blow.
     QString text() const;
 
-    /// Returns the most important results in one line: required feed force and penetration per blow.
+    /// Returns the most important results in one line: required feed force and penetration per blow. Shown
+    /// while the panel itself may be hidden.
     QString shortAnswer() const;
     AlertList* alerts() const { return m_alerts; }
     /// Scrolls to the alerts and gives them the keyboard focus.
     void goToAlerts();
 
   signals:
-    /// Reports that shortAnswer() may have changed.
+    /// Reports that shortAnswer(), the line with the most important results, may have changed.
     void answered();
-    /// Reports that the user has chosen an event; `time` is its global time [t0].
+    /// Reports that the user has chosen an event of the blow, to which the time cursor should move. `time` is
+    /// in units of t0 (duration of the hammer force) from the start of the blow.
     void timeChosen(std::optional<double> time);
-    /// Reports that the user has clicked a largest stress, which occurs at `section` (x/L) and `time` [t0].
+    /// Reports that the user has clicked the row that states where and when a largest stress occurs: at
+    /// `section` (x/L) and `time`. The time is in units of t0, the duration of the hammer force.
     void placeChosen(double section, double time);
     /// Reports that the user wants to open the page Drilling.
     void drillingChosen();
-    /// Reports that the user wants to set a wave loss (share that waves lose in a round trip). Without one,
-    /// the results of the blow sequence are uncertain.
+    /// Reports that the user wants to enter a wave loss (share of a wave that is lost in a round trip). With
+    /// no wave loss, the results of the blow sequence are uncertain.
     void waveLossWanted();
-    /// Reports that the user has clicked the parameter of an alert; `key` is its key as in parameters().
+    /// Reports that the user has clicked the name of a parameter in an alert. `key` is the parameter's key in
+    /// scenario files, as listed by parameters().
     void parameterChosen(const QString& key);
 
   protected:
     void changeEvent(QEvent* event) override;
 
   private:
-    /// Adds a section that folds. `name` is its object name and its key in the settings.
+    /// Adds a section that the user can fold and unfold. `name` is its object name, and its key in the user
+    /// settings.
     SectionBox* addSection(const QString& title, const char* name);
     void addNumbers(const QString& title, const char* name, const QList<ResultEntry>& entries);
     void addRow(SectionBox* section, QGridLayout* grid, const ResultEntry& entry);

@@ -7,7 +7,7 @@
 
 namespace drillwave {
 
-/// Cover over outdated results that greys, hatches and labels them, in any palette. Mouse and keys pass
+/// Cover over outdated results that greys and hatches them, and labels them as outdated. Mouse and keys pass
 /// through it. It is hidden at first.
 class StaleVeil : public QWidget {
     Q_OBJECT
@@ -16,12 +16,14 @@ class StaleVeil : public QWidget {
     /// Creates a cover over a widget, as its sibling, which follows the widget's size and place.
     explicit StaleVeil(QWidget* over);
 
-    /// Extends the cover to a sibling of the widget, and over everything between them.
+    /// Extends the cover so that it also covers `sibling`, a sibling of the covered widget, and everything
+    /// between them.
     void cover(QWidget* sibling);
-    /// Sets whether the cover is opaque, which hides results of another scenario completely.
+    /// Sets whether the cover is opaque. An opaque cover hides the results below completely, for example if
+    /// they belong to another scenario.
     void setOpaque(bool opaque);
 
-    /// Returns the label of the cover.
+    /// Returns the text on the cover, such as "result of an earlier input".
     static QString words();
 
   protected:

@@ -14,8 +14,9 @@ class UnitChoice;
 /// Returns (value − reference)/|reference|; nothing if the reference is zero or a number is not finite.
 std::optional<double> relativeDifference(double value, double reference);
 
-/// Returns the relative difference as text: "+32 %", "−0.4 %", "±0 %", or "≈0 %" below 0.01 %. Above 1000 %
-/// of a positive reference it is a factor, "×12.3". Empty if there is no relative difference.
+/// Returns the relative difference as text: "+32 %", "−0.4 %", "±0 %", or "≈0 %" below 0.01 %. An increase of
+/// more than 1000 % over a positive reference is given as a factor, "×12.3". Empty if the reference is zero
+/// or a number is not finite.
 QString relativeText(double value, double reference);
 
 /// Returns a difference with its sign: "+0.2047", "−3.1", "±0". `digits` are significant digits.

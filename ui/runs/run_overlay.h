@@ -10,16 +10,16 @@
 
 namespace drillwave {
 
-/// Returns the units for the dimensionless numbers of a pinned run, with the same names as `units`, those of
-/// the present blow. The factors follow from the scales of the run instead of `scales`. Nothing if `units`
-/// are physical and the run is dimensionless.
+/// Returns the units in which the results of a pinned run are shown beside the present blow. They have the
+/// same names as `units`, but factors that follow from the scales of the run instead of `scales`. Nothing if
+/// `units` are physical and the run is dimensionless.
 std::optional<ShownUnits> unitsOf(const SolvedBlow& run, const ShownUnits& units, const Scales& scales);
 
-/// Returns whether all units of `a` and `b` have the same names. Factors are not compared: for one run they
-/// follow from the names, except for rounding.
+/// Returns whether `a` and `b` show all quantities in units with the same names. Factors are not compared.
+/// For one run, equal names mean equal factors, except for rounding.
 bool areSameUnits(const ShownUnits& a, const ShownUnits& b);
 
-/// Pinned run (a result kept for comparison) with the curves that a page draws for it.
+/// Pinned run (a result kept for comparison) with the curves that a page draws for it over its own.
 template <class Curves>
 struct RunOverlay {
     int number = 0;  ///< number of the run (from 0), which decides its letter, colour and dash pattern
@@ -28,15 +28,16 @@ struct RunOverlay {
     std::weak_ptr<const SolvedBlow> blow;
     ShownUnits units;
     std::shared_ptr<const Curves> curves;
-    /// Returns whether two overlays draw the same. Equal curves mean the same blow in the same units.
+    /// Returns whether two overlays look the same when drawn. Curves are compared by their address: shared
+    /// curves belong to the same blow in the same units.
     bool operator==(const RunOverlay& other) const {
         return number == other.number && title == other.title && curves == other.curves;
     }
 };
 
-/// Returns the overlays of the solved runs that are shown, in the units of the present blow. Overlays in
-/// `made` are reused; `make` computes the curves of the others from a blow and its units. May be called on
-/// any thread.
+/// Returns the curves to draw for all solved runs that are set to be shown, in the units of the present blow.
+/// Curves in `made`, from an earlier call, are reused if run and units are the same. Others are computed by
+/// `make` from a blow and its units. May be called on any thread.
 template <class Curves, class Make>
 std::vector<RunOverlay<Curves>> runOverlays(const RunList& runs, const SolvedBlow& now,
                                             const std::vector<RunOverlay<Curves>>& made, const Make& make) {

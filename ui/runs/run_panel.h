@@ -17,8 +17,9 @@ namespace drillwave {
 class ChoiceBox;
 struct Output;
 
-/// List with one result of each run and its difference from the reference. A list box chooses the result. A
-/// tick mark shows a run in the plots, F2 renames it, and the context menu has further actions.
+/// List of the present result and the pinned runs, with one result value of each and its difference from the
+/// reference. A list box chooses the value. A tick mark shows a run in the plots, F2 renames it, and the
+/// context menu has further actions.
 class RunPanel : public QWidget {
     Q_OBJECT
 
@@ -26,14 +27,15 @@ class RunPanel : public QWidget {
     /// Creates the list. The runs must outlive it.
     explicit RunPanel(Runs& runs, QWidget* parent = nullptr);
 
-    /// Shows the present result in the first row.
+    /// Shows the results of the present blow in the first row of the list, above the pinned runs.
     void present(const SolvedBlowPtr& blow);
-    /// Sets whether the runs are stored and reopened with the file. If not, the list says so.
+    /// Sets whether the pinned runs are stored in files and reopened with the scenario file. If not, a hint
+    /// above the list says so.
     void setKept(bool kept);
     QTreeWidget* list() const { return m_list; }
 
   signals:
-    /// Reports that the user wants to return to the scenario of the run with this number.
+    /// Reports that the user wants to restore the scenario of the run with this number.
     void revertRequested(int number);
 
   protected:

@@ -20,20 +20,23 @@ class UnitChoice;
 // Pinned result: the scenario with its text, and its blow.
 
 struct Run {
-    /// Number of the run, 0 … mostRuns − 1, which decides its letter, colour and dash pattern.
+    /// Number of the run, from 0 to mostRuns − 1. It decides the letter, the colour and the dash pattern of
+    /// the run.
     int number = 0;
     QString name;               ///< what differs from another run, in words, such as "k 300 MN/m"
     ScenarioDocument contents;  ///< scenario with its text, which reverting restores
-    /// Solved blow; nullptr until it is solved. If its `fault` is not empty, it could not be solved.
+    /// Result of the run; nullptr until it is computed. If its `fault` is not empty, the blow could not be
+    /// solved.
     SolvedBlowPtr blow;
     bool isShown = true;  ///< whether the run is drawn over the plots
-    /// Coefficient of restitution stored in the file of the run; empty if the run is not from a file.
+    /// Coefficient of restitution stored in the file of the run, which a new computation should reproduce.
+    /// Empty if the run is not from a file.
     std::optional<double> kept;
     std::string version = {};  ///< version of the program that computed `kept`
 
     /// Returns the letter of the run, such as "A".
     QString letter() const { return QString::fromStdString(runLetter(number)); }
-    /// Returns letter and name of the run, such as "A  k 300 MN/m".
+    /// Returns the letter and the name of the run, such as "A  k 300 MN/m", for legends and lists.
     QString title() const { return letter() + QStringLiteral("  ") + name; }
     bool isSolved() const { return blow && blow->fault.isEmpty(); }
 };
@@ -42,33 +45,35 @@ struct Run {
 using RunList = std::vector<Run>;
 using RunListPtr = std::shared_ptr<const RunList>;
 
-/// Set of the pinned runs, at most mostRuns. Every change creates a new list. It does not depend on the
-/// scenario that is being edited.
+/// Set of the pinned runs (results kept for comparison), at most mostRuns. Every change creates a new list,
+/// so that threads can keep the former one. The set is the same for all scenarios that the user edits.
 class Runs : public QObject {
     Q_OBJECT
 
   public:
-    /// Creates an empty set. Runs are named in the units of `units`, which must outlive the set.
+    /// Creates an empty set. The name of a run states input values, such as "k 300 MN/m", in the units of
+    /// `units`, which must outlive the set.
     explicit Runs(const UnitChoice& units, QObject* parent = nullptr) : QObject(parent), m_units(units) {}
 
     const RunListPtr& list() const { return m_list; }
-    /// Returns the run with this number; nullptr if there is none.
+    /// Returns the pinned run with this number; nullptr if there is none.
     const Run* find(int number) const;
-    /// Returns the run that all others and the present result are compared with; nullptr if it is the present
-    /// result.
+    /// Returns the reference: the pinned run with which all other runs and the present result are compared.
+    /// nullptr if they are compared with the present result.
     const Run* reference() const;
 
-    /// Adds a run and returns an empty text, or returns why this is impossible. Its name is its difference
-    /// from the reference, or from the last run; without a difference it is `title`. The first run becomes
-    /// the reference. If `blow` is nullptr, RunSolver solves it.
+    /// Pins a scenario as a new run. Returns an empty text, or why this is impossible. The run is named after
+    /// its difference from the reference or the last run; without a difference its name is `title`. The first
+    /// run becomes the reference. If `blow` is nullptr, RunSolver solves it.
     QString pin(ScenarioDocument contents, SolvedBlowPtr blow, const QString& title);
-    /// Adds stored runs with their numbers, or with others if theirs are in use. Runs that exist already,
-    /// with the same scenario and name, are not added again. Returns the titles of the runs for which no
-    /// number is free.
+    /// Adds pinned runs that were read from files. A run keeps its number, or gets a free one if its number
+    /// is in use. Runs that exist already, with the same scenario and name, are not added again. Returns the
+    /// titles of the runs for which no number is free.
     QStringList add(const std::vector<KeptRun>& kept);
-    /// Returns the runs in the form in which they are stored in files.
+    /// Returns all runs in the form in which they are written to files.
     std::vector<KeptRun> toKeep() const;
-    /// Excludes numbers from use by new runs, because the files with these numbers belong to others.
+    /// Sets the numbers that new runs must not get, because files with these numbers in the folder do not
+    /// belong to this list.
     void reserve(std::vector<int> numbers) { m_reserved = std::move(numbers); }
 
     void remove(int number);
@@ -76,16 +81,18 @@ class Runs : public QObject {
     /// Renames a run. An empty name changes nothing.
     void rename(int number, const QString& name);
     void setShown(int number, bool shown);
-    /// Sets the reference run by its number; empty for the present result. An unknown number changes nothing.
+    /// Sets the reference, with which all results are compared, to the run with this number. Empty for the
+    /// present result. An unknown number changes nothing.
     void setReference(std::optional<int> number);
-    /// Sets the blow of a run that has none. Ignored if the run with this number has another scenario.
+    /// Sets the result of a run that has none. Ignored if the run does not exist, has a result, or has
+    /// another scenario than the blow.
     void setBlow(int number, const SolvedBlowPtr& blow);
 
   signals:
-    /// Reports that the list, one of its runs or the reference has changed.
+    /// Reports that the list of pinned runs, one of its runs or the choice of the reference run has changed.
     void changed();
-    /// Reports that a stored run, computed again, has another result than in its file. `sentence` describes
-    /// the difference.
+    /// Reports that a run from a file was computed again and has another result than the file states.
+    /// `sentence` describes the difference.
     void differs(const QString& sentence);
 
   private:
@@ -102,12 +109,12 @@ class Runs : public QObject {
 
 // Solves the runs that have no blow yet: runs from a file, and pinned points of a study.
 
-/// Solver that computes the missing blows of runs, one after another, on its own thread.
+/// Solver that computes the results of runs that have none, one after another, on its own thread.
 class RunSolver : public QObject {
     Q_OBJECT
 
   public:
-    /// Creates the solver. The runs must outlive it.
+    /// Creates the solver for the runs that have no result yet. The runs must outlive it.
     explicit RunSolver(Runs& runs, QObject* parent = nullptr);
 
     bool isBusy() const { return m_job.isBusy(); }
@@ -122,8 +129,8 @@ class RunSolver : public QObject {
 
 // Runs that can be drawn over a blow.
 
-/// Returns the runs of the same kind as the scenario, uniform rod or drill string. Runs of the other kind
-/// have other axes.
+/// Returns the runs of the same kind as the scenario: either uniform rods or drill strings. Plots of the
+/// other kind have other axes, so that its runs cannot be drawn in them.
 RunList runsLike(const Scenario& scenario, const RunList& runs);
 
 }  // namespace drillwave

@@ -13,21 +13,22 @@ class Document;
 class PageTabs;
 class ScenarioPanel;
 
-/// Object that shows the previous blow. During a drag it is the blow from before the drag. After choosing a
-/// preset it is the blow from before the preset, until the next change.
+/// Object that draws the previous blow faintly under the curves of the present one, to show the effect of a
+/// change. During a drag it is the blow before the drag. After choosing a preset it is the blow before the
+/// preset, until the next change.
 class BlowGhost : public QObject {
     Q_OBJECT
 
   public:
     using Shown = std::function<SolvedBlowPtr()>;
 
-    /// Starts watching for drags and presets. `shown` returns the blow that is displayed; all references must
-    /// outlive this object.
+    /// Starts watching for drags and presets. `shown` returns the blow that is displayed now. All references
+    /// must outlive this object.
     BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, const Shown& shown, QObject* parent);
 
   private:
-    /// Time for which the blow from before a preset stays visible: not at all, during this change, or until
-    /// the next change.
+    /// Time for which the blow from before a preset stays visible: `no` (not at all), `overThisChange` (while
+    /// the preset is being set) or `untilTheNextChange`.
     enum class Stay { no, overThisChange, untilTheNextChange };
 
     void set(const SolvedBlowPtr& before);

@@ -20,7 +20,8 @@ class FileNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the notice. Document, watch and questions must outlive it.
+    /// Creates the notice. `document`, `watch` (of its file) and `questions`, which shows dialogs, must
+    /// outlive it.
     FileNotice(Document& document, FileWatch& watch, Questions& questions, QWidget* parent = nullptr);
 
   private:
@@ -40,7 +41,8 @@ class TableNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the notice. Document, watch and questions must outlive it.
+    /// Creates the notice. `document`, `watch` (of its CSV file) and `questions`, which shows dialogs, must
+    /// outlive it.
     TableNotice(Document& document, TableWatch& watch, Questions& questions, QWidget* parent = nullptr);
 
   private:
@@ -58,7 +60,8 @@ class FormNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the actions that convert the scenario between its forms. The document must outlive this object.
+    /// Creates the menu actions that convert the scenario, for example from a uniform rod to a drill string.
+    /// The document must outlive this object.
     explicit FormNotice(Document& document, QWidget* parent = nullptr);
 
     /// Returns the menu action that converts a uniform rod to a drill string. Like all actions of this class,
@@ -66,9 +69,10 @@ class FormNotice : public Notice {
     QAction* toString() const { return m_toString; }
     /// Returns the action that simplifies a drill string to a uniform rod.
     QAction* toUniformRod() const { return m_toUniformRod; }
-    /// Returns the action that converts dimensionless groups to physical units, by a RigDialog.
+    /// Returns the action that gives a dimensionless scenario physical units. It opens a dialog (RigDialog)
+    /// that asks for rod, mean force and duration.
     QAction* toRig() const { return m_toRig; }
-    /// Returns the action that replaces the hammer of a drill string by a prescribed force.
+    /// Returns the action that replaces the hammer of a drill string by a prescribed force on the string.
     QAction* toForce() const { return m_toForce; }
 
   private:
@@ -91,17 +95,19 @@ class ExampleNote : public Notice {
   public:
     explicit ExampleNote(QWidget* parent = nullptr);
 
-    /// Shows the explanation of an example that was opened.
+    /// Shows the explanatory text of an example scenario that was opened.
     void explain(const Example& example);
-    /// Sets the example with which the program starts. Its explanation is not shown if the user has ever
-    /// closed it.
+    /// Shows the explanation of the example with which the program starts, unless the user has closed it in
+    /// this or an earlier session.
     void explainFirst(const Example& example);
-    /// Shows a hint that the explanation may not fit if the example has been changed (true), and hides the
-    /// hint otherwise.
+    /// Shows a hint that the explanation may no longer be right if the example has been changed (true).
+    /// Otherwise shows the explanation again.
     void setChanged(bool changed);
-    /// Removes the explanation. Must be called when another scenario is opened.
+    /// Removes the explanation of the example and hides the notice. Must be called when another scenario is
+    /// opened.
     void forget();
-    /// Returns the action that shows and hides the notice; disabled if there is no explanation.
+    /// Returns the action that shows and hides the explanation of the example; disabled if there is no
+    /// explanation.
     QAction* action() const { return m_action; }
 
   private:

@@ -18,8 +18,8 @@ class FigureDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// Computes the figure of this number, see core/study/paper/figures.h, which takes a few hundredths of a
-    /// second.
+    /// Creates the dialog for figure `number` of the paper, and computes this figure within a few hundredths
+    /// of a second. The numbers are those of core/study/paper/figures.h.
     explicit FigureDialog(int number, QWidget* parent = nullptr);
 
     const Figure& figure() const { return m_figure; }

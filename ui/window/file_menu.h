@@ -17,8 +17,8 @@ namespace drillwave {
 
 // Files that are dropped onto the window.
 
-/// Event filter that accepts files dropped anywhere onto a window, also onto fields, which would insert their
-/// names.
+/// Event filter that accepts files dropped anywhere onto a window. Without it, text fields would insert the
+/// names of the files.
 class FileDrop : public QObject {
     Q_OBJECT
 
@@ -26,8 +26,8 @@ class FileDrop : public QObject {
     explicit FileDrop(QWidget* window);
 
   signals:
-    /// Emitted with the paths of the dropped local files, at least one, after the drop has ended for the
-    /// other program.
+    /// Emitted with the paths of the dropped local files, at least one. It is emitted only when the
+    /// drag-and-drop is finished, so that the program they come from does not wait.
     void dropped(const QStringList& paths);
 
   protected:
@@ -43,15 +43,16 @@ class FileMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Makes the menu. Document, questions and watch must outlive it; `exports` becomes its submenu.
+    /// Creates the menu. `document`, `questions` (which asks the user in dialogs) and `watch` (of the
+    /// document's file) must outlive it; `exports` becomes its submenu.
     FileMenu(Document& document, Questions& questions, FileWatch& watch, QMenu* exports, QWidget* window);
 
-    /// Opens a scenario file, or the scenario of a result, even if the present one is unsaved. Returns true
-    /// on success, else shows the reason.
+    /// Opens a scenario file, or the scenario of a result file. It replaces the present scenario without
+    /// asking, even if it is unsaved. Returns true on success, else shows the reason.
     bool openFile(const QString& path);
     void openExample(const Example& example);
     /// Opens a file dropped onto the window: a scenario, a result, or the CSV file of a hammer force. Starts
-    /// an import for any other table.
+    /// an import for any other table. Refuses several files at once.
     void take(const QStringList& paths);
     /// Returns true if the present scenario may be replaced or closed because it is unchanged, was saved, or
     /// the user discards it. Asks the user if necessary.
@@ -59,13 +60,14 @@ class FileMenu : public QMenu {
     bool save();
     bool saveAs();
 
-    /// Returns true if all files may be tables of samples, by their names and first lines.
+    /// Returns true if all files may be tables of samples, judged by their names and first lines. Result
+    /// files of this program are no such tables.
     static bool areTables(const QStringList& paths);
 
   signals:
     void exampleOpened(const drillwave::Example& example);
-    /// Emitted when the user asks to import a measured signal from the file `path`; empty if it is still to
-    /// be chosen.
+    /// Emitted when the user asks to import a measured signal from the file `path`. If `path` is empty, the
+    /// user has still to choose a file.
     void importRequested(const QString& path);
 
   private:

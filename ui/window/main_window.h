@@ -42,27 +42,30 @@ class UnitsChoice;
 class WindowLayout;
 struct Example;
 
-/// Main window of the program. It starts with the default example, already solved.
+/// Main window of the program. At first it shows the default example, already solved.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
     explicit MainWindow(QWidget* parent = nullptr);
-    /// Makes a window with another solver and other answers to its questions, for tests.
+    /// Creates a window for tests: `solve` solves the blows, and `questions` answers what the window would
+    /// ask the user.
     MainWindow(std::unique_ptr<Questions> questions, SolveJob::Solve solve, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     /// Opens a scenario file. Returns true on success, else shows the reason.
     bool openFile(const QString& path);
     void openExample(const Example& example);
-    /// Stores unsaved changes in a folder from now on, and offers to restore those of instances that crashed.
+    /// Stores unsaved changes in this folder from now on. Offers to restore the unsaved changes of instances
+    /// that crashed.
     void startRecovery(const QString& folder);
 
     /// Returns true if the window was closed so that a new window opens at once with the same contents.
     bool wantsRestart() const { return m_wantsRestart; }
 
     Document& document() { return m_document; }
-    /// Returns the blow that is displayed.
+    /// Returns the blow whose results are displayed; it may belong to an earlier input. nullptr before the
+    /// first one is solved.
     const SolvedBlowPtr& shown() const { return m_shown; }
 
   protected:

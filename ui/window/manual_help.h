@@ -14,18 +14,21 @@ namespace drillwave {
 
 class PageTabs;
 
-/// Object that opens the manual in a window beside the main window.
+/// Opener of the manual, which is shown in a window beside the main window.
 class ManualHelp : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes the help without opening the manual. Window and pages must outlive it.
+    /// Creates the help. The manual is opened only when it is needed. Window and pages must outlive this
+    /// object.
     ManualHelp(QMainWindow* window, const PageTabs& pages);
 
-    /// Shows the place in the manual that describes the focused field or area, or else the visible page.
+    /// Opens the manual at the place that describes the focused input field or area, or else the visible
+    /// page.
     void showHere();
     void showAt(const ManualPlace& place);
-    /// Returns the place in the manual that showHere() shows.
+    /// Returns the place in the manual that showHere() opens: that of the focused field or area, or else of
+    /// the visible page.
     ManualPlace here() const;
     /// Returns the window of the manual; nullptr until it has been opened.
     HelpWindow* helpWindow() const { return m_help; }
@@ -48,7 +51,8 @@ class HelpMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Makes the menu. Manual and questions must outlive it.
+    /// Creates the menu. `manual`, which opens the manual, and `questions`, which shows dialogs, must outlive
+    /// it.
     HelpMenu(ManualHelp& manual, Questions& questions, QWidget* window);
 
   private:

@@ -11,8 +11,8 @@ namespace drillwave {
 
 class ScrolledLabel;
 
-/// Strip with a message, hidden if the text is empty; its last button closes it. The text can be selected,
-/// and scrolls if it would take too much room from the pages.
+/// Strip above the pages with a message; its last button closes it. It is hidden if the text is empty. The
+/// text can be selected, and scrolls if it would take too much room from the pages.
 class Notice : public QFrame {
     Q_OBJECT
 
@@ -21,15 +21,15 @@ class Notice : public QFrame {
 
     explicit Notice(Tone tone, QWidget* parent = nullptr);
 
-    /// Adds a button before the one that closes the strip, and returns it.
+    /// Adds a button to the notice, to the left of the one that closes it, and returns it.
     QPushButton* addButton(const QString& text, const QString& toolTip);
     void say(const QString& text);
-    /// Changes the text without showing or hiding the strip.
+    /// Changes the message, without showing or hiding the notice.
     void setText(const QString& text);
     QString text() const;
 
   signals:
-    /// Emitted when the user closes the strip.
+    /// Emitted when the user closes the notice.
     void dismissed();
 
   private:

@@ -16,13 +16,14 @@ class PageTabs;
 
 // Notice of why a page is not available for this scenario, and which page has the answer instead.
 
-/// Notice of why a page is not available for the scenario. It disappears when another page is shown, or when
-/// this page becomes available again.
+/// Notice why a page is not available for the present scenario, and which page shows the answer instead. It
+/// disappears when another page is shown, or when the page becomes available.
 class ElsewhereNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the notice. The pages must outlive it.
+    /// Creates the notice, which is shown when `pages` reports that a page does not apply to the scenario.
+    /// The pages must outlive it.
     explicit ElsewhereNotice(PageTabs& pages, QWidget* parent = nullptr);
 
   private:
@@ -35,24 +36,28 @@ class ElsewhereNotice : public Notice {
 // Notice that pages show one blow of a sequence under a feed force, with a button to return to the single
 // blow.
 
-/// Notice that pages show one blow of a sequence instead of the single blow. It stores which blow, until it
-/// is closed or reset. It is visible above the pages that can show that blow.
+/// Notice above the page that it shows one blow of a sequence under feed, not the usual single blow from
+/// rest. The object remembers this blow until the notice is closed or forget() is called. It is visible only
+/// above pages that can show such a blow.
 class MarchedNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the notice. The pages must outlive it.
+    /// Creates the notice, which is hidden until open() is called. The pages must outlive it.
     explicit MarchedNotice(PageTabs& pages, QWidget* parent = nullptr);
 
-    /// Shows this blow of a sequence on the pages that can; `what` describes it in words.
+    /// Shows the notice `what` for this blow of a sequence, and remembers the blow for pages that can show
+    /// it; see blowOf().
     void open(const MarchedQuestion& blow, const QString& what);
-    /// Shows the single blow again, instead of one of a sequence. Must be called when the scenario changes.
+    /// Returns to the single blow from rest, and hides the notice. Must be called when the scenario changes.
     void forget();
-    /// Returns the blow of a sequence that a page should show; nothing for the single blow.
+    /// Returns the blow of a sequence that the page should show. Nothing if the page should show the single
+    /// blow from rest, or can show no other.
     std::optional<MarchedQuestion> blowOf(const Page& page) const;
 
   signals:
-    /// Emitted when the user asks for the single blow again.
+    /// Emitted when the user asks to see the usual single blow from rest again, instead of one blow of a
+    /// sequence.
     void singleWanted();
 
   private:
@@ -64,15 +69,17 @@ class MarchedNotice : public Notice {
 
 // Notice of which value was taken from a plot, with a button to undo it.
 
-/// Notice that a value was taken from a plot into the scenario, with a button to undo this. It disappears
-/// with the next change of the scenario.
+/// Notice that the user has taken a value from a plot into the scenario, with a button to undo this. It
+/// disappears with the next change of the scenario.
 class TakenNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the notice. The document must outlive it, as must the pages passed to follow().
+    /// Creates the notice, which is hidden until a page reports a value. The document must outlive it, as
+    /// must the pages passed to follow().
     explicit TakenNotice(Document& document, QWidget* parent = nullptr);
-    /// Starts listening to every page. Call it once, when all pages exist.
+    /// Starts showing a notice whenever a page reports that a value was taken. Call it once, when all pages
+    /// exist.
     void follow(PageTabs& pages);
 
   private:
@@ -83,13 +90,14 @@ class TakenNotice : public Notice {
 // Notice of why a page of waves shows a coarser string, with a button to round lengths so that it shows all
 // waves.
 
-/// Notice shown while the waves on the visible page are too many to be stored, if rounding the section
-/// lengths to 10 mm may help.
+/// Notice that the waves of a drill string are too many to be stored in full. It is shown only if rounding
+/// the section lengths to 10 mm would change them, and offers to do so.
 class WavesNotice : public Notice {
     Q_OBJECT
 
   public:
-    /// Makes the notice. Document and pages must outlive it.
+    /// Creates the notice, which is hidden at first, and when the scenario or the page changes. Document and
+    /// pages must outlive it.
     WavesNotice(Document& document, PageTabs& pages, QWidget* parent = nullptr);
 
     void present(const SolvedBlow& blow);

@@ -21,31 +21,34 @@ class PinnedRuns : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes the list of runs. Document, questions and window must outlive this object.
+    /// Creates an empty list of pinned runs. `document`, `questions` (which asks the user in dialogs) and
+    /// `window` must outlive this object.
     PinnedRuns(Document& document, Questions& questions, QWidget* window);
 
     Runs& runs() { return m_runs; }
-    /// Returns the panel with the list of runs, which the window lays out.
+    /// Returns the panel that lists the pinned runs; the window places it in its own layout.
     RunPanel* panel() const { return m_panel; }
-    /// Returns the action that pins the present result; see pin().
+    /// Returns the action that pins (keeps for comparison) the present result; see pin().
     QAction* pinAction() const { return m_pinAction; }
     /// Returns the action that stores the runs in a folder beside the scenario file, or stops that.
     QAction* keepAction() const { return m_keepAction; }
-    /// Makes the result panel compare its numbers with the reference run.
+    /// Makes the result panel show how its numbers differ from those of the reference run (the pinned run
+    /// chosen for comparison).
     void follow(ResultPanel& result);
-    /// Adds the Compare page, and passes the runs to all pages. Must be called once.
+    /// Adds the page Compare, on which pinned runs are compared, and passes the runs to all pages. Must be
+    /// called once.
     void addTo(PageTabs& pages);
 
-    /// Sets the result that is displayed, which may belong to an earlier scenario. Runs without a result that
-    /// have the same scenario get it.
+    /// Sets the blow whose results are displayed; it may belong to an earlier scenario. Pinned runs that have
+    /// the same scenario but no result yet take it as their result.
     void present(const SolvedBlowPtr& blow);
     /// Pins the present scenario with its result. If the result is not computed yet, it is added to the run
     /// later, even if the scenario has changed by then.
     void pin();
     /// Restores the scenario of the run with this number, as one undo step.
     void revertTo(int number);
-    /// Asks pending questions and waits until the runs are stored. Returns false if storing failed and the
-    /// user wants to keep the window open.
+    /// Asks any pending question about stored runs, and waits until the pinned runs are stored. Returns false
+    /// if storing failed and the user wants to keep the window open.
     bool mayClose();
 
   private:

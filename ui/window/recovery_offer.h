@@ -10,10 +10,10 @@
 
 namespace drillwave {
 
-/// Asks about each set of unsaved changes in the folder, the latest first, until one is restored into the
-/// document. The rest is offered at the next start. Undo then leads back to the saved file. `takeBeside`
-/// receives the restored runs and signals. Changes left by a restarted window are restored without asking.
-/// Unusable files are reported and renamed.
+/// Asks the user, for each recovery file in the folder (latest first), whether to restore its unsaved
+/// changes. Stops when one is restored into the document; the others are offered at the next start. Undo then
+/// leads back to the saved file. `takeBeside` receives the restored runs and signals. Changes left by a
+/// restarted window are restored without asking. Unusable files are reported and renamed.
 void offerLostChanges(const QString& folder, Document& document, Recovery& recovery, Questions& questions,
                       QWidget* window, const std::function<void(const WorkBeside&)>& takeBeside);
 

@@ -13,7 +13,7 @@ class StudyMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Makes the menu. All pages must already have been added, and must outlive the menu.
+    /// Creates the menu of the studies. All pages must already have been added, and must outlive the menu.
     StudyMenu(PageTabs& pages, QWidget* window);
 
   private:

@@ -8,32 +8,33 @@ class QWidget;
 
 namespace drillwave {
 
-/// Row of tabs. A caption, the name of a group, is a tab that cannot be chosen. If the row is too short,
-/// captions shrink to a gap, then letters become a little smaller, and then the tabs scroll. The chosen tab
-/// is always visible, and a name cut off at the edge ends in an ellipsis.
+/// Row of tabs of the pages. A caption is a tab with the name of a group of pages, which cannot be chosen. If
+/// the row is too short, captions shrink to a gap, then letters become a little smaller, and then the tabs
+/// scroll. The chosen tab is always visible, and a name cut off at the edge ends in an ellipsis.
 class TabStrip : public QTabBar {
     Q_OBJECT
 
   public:
     explicit TabStrip(QWidget* parent = nullptr);
 
-    /// Inserts a caption before the tab at `index`.
+    /// Inserts a caption, the name of a group of pages, before the tab at `index`.
     void insertCaption(int index, const QString& text);
     void insertPage(int index, QWidget* page, const QString& title);
-    /// Returns the page of the tab at `index`; nullptr for a caption, or if there is no such tab.
+    /// Returns the page that belongs to the tab at `index`. nullptr for a caption (name of a group of pages),
+    /// or if there is no such tab.
     QWidget* pageAt(int index) const;
     /// Changes the title of the tab at `index`.
     void rename(int index, const QString& title);
-    /// Sets whether a page can be chosen. If not, its tab has `why` as tooltip, or is hidden if `why` is
-    /// empty.
+    /// Sets whether the page of the tab at `index` can be chosen. If not, the tab has `why` in its tooltip;
+    /// it is hidden if `why` is empty.
     void setOffered(int index, bool offered, const QString& why);
     int indexOf(const QWidget* page) const;
-    /// Chooses the tab that is `step` page tabs to the right (left if negative), continuing at the other end
-    /// of the row.
+    /// Chooses the next tab to the right (step 1) or to the left (step −1), skipping captions and pages that
+    /// cannot be chosen. At the end of the row it continues at the other end.
     void choose(int step);
 
   signals:
-    /// Emitted on a click on the tab of a page that cannot be chosen.
+    /// Emitted when the user clicks the tab of a page that cannot be chosen for the present scenario.
     void refused(QWidget* page);
 
   protected:

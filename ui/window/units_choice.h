@@ -14,21 +14,23 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Menu that sets the units of a document. The choice is kept while a scenario has no physical units.
+/// Menu in which the user chooses the units of the window. A dimensionless scenario is always shown in
+/// dimensionless units, but the choice is remembered for later scenarios.
 class UnitsChoice : public QMenu {
     Q_OBJECT
 
   public:
-    /// Makes the menu. `units` must outlive it.
+    /// Creates the menu. `units`, which stores the choice of the user, must outlive it.
     UnitsChoice(UnitChoice& units, QWidget* window);
 
-    /// Returns the button that shows the chosen system and opens the menu.
+    /// Returns a button that shows the chosen system of units, such as "SI", and opens this menu.
     QToolButton* button() const { return m_button; }
     /// Returns the system of units for a scenario: the chosen one, or dimensionless if the scenario has no
     /// physical units.
     UnitSystem of(const Scenario& scenario) const;
     void choose(UnitSystem units);
-    /// Enables the systems that a scenario permits, and marks the chosen units.
+    /// Enables the systems of units that a scenario permits (a dimensionless one only its own), and marks the
+    /// chosen units.
     void present(const Scenario& scenario);
 
   signals:

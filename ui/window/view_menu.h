@@ -20,12 +20,13 @@ class WindowLayout;
 
 // Submenu of languages in the menu View.
 
-/// Menu of languages. A choice takes effect in the next window; a restart is offered.
+/// Menu in which the user chooses the language of the window. A choice takes effect in the next window; a
+/// restart is offered.
 class LanguageMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Makes the menu. The questions must outlive it.
+    /// Creates the menu. `questions`, which asks the user in dialogs, must outlive it.
     LanguageMenu(Questions& questions, QWidget* window);
 
   signals:
@@ -47,10 +48,11 @@ class PlotViewMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Makes the menu. The pages must outlive it.
+    /// Creates the menu of the visible plot. The pages must outlive it.
     PlotViewMenu(PageTabs& pages, QWidget* window);
 
-    /// Returns the action that shows and hides the tables below all plots; the choice is stored.
+    /// Returns the action that shows and hides the tables of readings below all plots. The choice is stored
+    /// in the user settings.
     QAction* tableAction() const { return m_table; }
 
   private:
@@ -65,7 +67,7 @@ class ViewMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Parts of the window that have entries in the menu. All must outlive it.
+    /// Parts of the window on which the entries of the menu act. All must outlive the menu.
     struct Parts {
         UnitsChoice& units;
         PageTabs& pages;

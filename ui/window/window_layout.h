@@ -15,17 +15,18 @@ namespace drillwave {
 
 // Moves the keyboard focus around the areas of the window by F6 and Shift+F6.
 
-/// Object that moves the focus from area to area, to the widget that last had it there. Closed areas are
-/// skipped; an area hidden behind another dock is raised.
+/// Menu actions (F6, Shift+F6) that move the keyboard focus from one area of the window to the next, such as
+/// from input to plots. The widget that last had the focus in an area gets it again. Closed areas are
+/// skipped; an area hidden by another dock is brought to the front.
 class AreaKeys : public QObject {
     Q_OBJECT
 
   public:
-    /// Takes the areas in the order in which F6 visits them.
+    /// Creates the object for these areas, in the order in which F6 visits them.
     AreaKeys(QList<QWidget*> areas, QWidget* window);
 
     void addTo(QMenu& menu);
-    /// Gives the focus to the next area (step 1) or to the previous one (step −1).
+    /// Gives the keyboard focus to the next area of the window (step 1) or to the previous one (step −1).
     void go(int step);
 
   private:
@@ -34,20 +35,22 @@ class AreaKeys : public QObject {
     QList<QWidget*> m_areas;
 };
 
-/// Layout of the window with two docks. In a narrow window they share one side, to leave room for the page.
+/// Layout of the window with two docks beside the page, one on each side. In a narrow window both docks share
+/// one side, to leave room for the page.
 class WindowLayout : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes the layout. Call addDock() and restoreSize() before the window is shown.
+    /// Creates a layout without docks. Call addDock() for both docks, and restoreSize(), before the window is
+    /// shown.
     explicit WindowLayout(QMainWindow* window);
 
-    /// Adds a dock, the first on the left, the second on the right, and returns it. `name` identifies it in
-    /// the stored settings.
+    /// Adds a dock widget with `content`, and returns it. The first dock is on the left, the second on the
+    /// right. `name` identifies it in the stored settings.
     QDockWidget* addDock(const QString& title, const QString& name, QWidget* content);
     /// Brings the dock with this content to the front, and opens it if it was closed.
     void reveal(const QWidget* content);
-    /// Adds actions that show and hide the docks, and one that resets the layout, to a menu.
+    /// Adds to `menu` the actions that show and hide the docks, and one that resets the layout.
     void addTo(QMenu& menu);
     void restoreSize();
     void save() const;
