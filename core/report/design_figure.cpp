@@ -113,7 +113,8 @@ class ObjectivePanel {
             over(first, {.stroke = SeriesStroke::dashed, .legend = legend(translatable("mean"))},
                  [&](std::size_t d) { return statistic(d, {Kind::mean}); }));
         m_panel.series.push_back(over(
-            first, {.stroke = SeriesStroke::shortDashed, .legend = legend(translatable("values entered"))},
+            first,
+            {.stroke = SeriesStroke::shortDashed, .legend = legend(translatable("with the values entered"))},
             [&](std::size_t d) { return nominal(d); }));
     }
 
@@ -232,11 +233,11 @@ StudyPanel tradeOffPanel(const DesignReport& report, const DesignNames& names) {
         add(report.findings.best.pareto[d] ? pareto : all);
         if (d == *report.findings.best.robust) add(best);
     }
-    StudyPanel panel{
-        .x = axisOf(report, aims[0],
-                    {translatable("%1\n(filled: none is better in both)"), {names.aim(aims[0])}}),
-        .y = axisOf(report, aims[1], outputMessage(*aims[1].output)),
-        .series = {std::move(all), std::move(pareto), std::move(best)}};
+    StudyPanel panel{.x = axisOf(report, aims[0],
+                                 {translatable("%1\n(filled dots: no other design is better in both)"),
+                                  {names.aim(aims[0])}}),
+                     .y = axisOf(report, aims[1], outputMessage(*aims[1].output)),
+                     .series = {std::move(all), std::move(pareto), std::move(best)}};
     panel.x.range = rangeAround(xs);
     panel.y.range = rangeAround(ys);
     return panel;

@@ -50,16 +50,17 @@ class EstimateMessage {
             case FeedState::requiredMet:
                 return {
                     m_estimate.isOfAllGaps()
-                        ? translatable("A feed force of %1 is enough for every single blow (%2 required).")
+                        ? translatable(
+                              "A feed force of %1 is enough for a single blow at any gap (%2 required).")
                         : translatable("A feed force of %1 is enough for this blow and for rigid rock (%2 "
                                        "required); other gaps between bit and rock were not examined."),
                     {installed(largest.thrust), required(largest.thrust)}};
             case FeedState::returnMet:
                 return {
                     m_estimate.isOfAllGaps()
-                        ? translatable("A feed force of %1 is enough for every single blow. It even returns "
-                                       "an undamped rod to the rock before the next blow, whatever the gap "
-                                       "(this requires %2).")
+                        ? translatable(
+                              "A feed force of %1 is enough for a single blow at any gap. It even returns an "
+                              "undamped rod to the rock before the next blow (this requires %2).")
                         : translatable("A feed force of %1 is enough for this blow and for rigid rock, and "
                                        "even returns an undamped rod to the rock in time, which requires %2; "
                                        "other gaps between bit and rock were not examined."),
@@ -193,10 +194,10 @@ class EstimateMessage {
 
 std::string_view feedWord(FeedState state) {
     static constexpr EnumNames<FeedState> words{{{FeedState::pushedBack, "machine pushed back"},
-                                                 {FeedState::belowRequired, "below required"},
-                                                 {FeedState::requiredAtThisGap, "enough for this gap"},
-                                                 {FeedState::requiredMet, "above the required feed"},
-                                                 {FeedState::returnMet, "enough to return in time"},
+                                                 {FeedState::belowRequired, "not enough"},
+                                                 {FeedState::requiredAtThisGap, "enough for this blow only"},
+                                                 {FeedState::requiredMet, "enough in all cases"},
+                                                 {FeedState::returnMet, "returns the rod in time"},
                                                  {FeedState::notApplicable, "no estimate"}}};
     return words[state];
 }

@@ -119,7 +119,7 @@ StudyFigure emptyFigure(const Scenario& scenario, GapOutput output) {
     StudyPanel& distribution = figure.panels.back();
     distribution.width = distributionWidth;
     distribution.x = {.title = translatable("per class [%]")};
-    distribution.top = {.title = translatable("below [%]"), .range = {{0, 105}}};
+    distribution.top = {.title = translatable("cumulative [%]"), .range = {{0, 105}}};
     distribution.series = {{.kind = SeriesKind::area, .legend = translatable("share per class")},
                            {.kind = SeriesKind::path,
                             .role = SeriesRole::second,

@@ -2642,8 +2642,8 @@ Trotzdem löschen?</translation>
         <translation>95 % aller Spalte</translation>
     </message>
     <message>
-        <source>below required</source>
-        <translation>unter dem Erforderlichen</translation>
+        <source>not enough</source>
+        <translation>reicht nicht</translation>
     </message>
     <message>
         <source>fully elastic rock (gamma = 1), worst gap</source>
@@ -2654,12 +2654,12 @@ Trotzdem löschen?</translation>
         <translation>keine Schätzung</translation>
     </message>
     <message>
-        <source>above the required feed</source>
-        <translation>über dem erforderlichen Andruck</translation>
+        <source>enough in all cases</source>
+        <translation>reicht in allen Fällen</translation>
     </message>
     <message>
-        <source>enough to return in time</source>
-        <translation>genug für rechtzeitige Rückkehr</translation>
+        <source>returns the rod in time</source>
+        <translation>Stange kehrt rechtzeitig zurück</translation>
     </message>
     <message>
         <source>rigid rock</source>
@@ -2722,8 +2722,8 @@ Trotzdem löschen?</translation>
         <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % bei festem, 6 bis 10 % bei verschlissenem Gewinde (Fachtexte, nicht gemessen)</translation>
     </message>
     <message>
-        <source>enough for this gap</source>
-        <translation>reicht für diesen Spalt</translation>
+        <source>enough for this blow only</source>
+        <translation>reicht nur für diesen Schlag</translation>
     </message>
     <message>
         <source>rock</source>
@@ -8309,11 +8309,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>best for uncertain rock</source>
-        <translation>beste für unsicheres Gestein</translation>
+        <translation>beste Auslegung für unsicheres Gestein</translation>
     </message>
     <message>
         <source>best for the values entered</source>
-        <translation>beste für die eingegebenen Werte</translation>
+        <translation>beste Auslegung für die eingegebenen Werte</translation>
     </message>
     <message>
         <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
@@ -11408,8 +11408,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>je Klasse [%]</translation>
     </message>
     <message>
-        <source>below [%]</source>
-        <translation>darunter [%]</translation>
+        <source>cumulative [%]</source>
+        <translation>summiert [%]</translation>
     </message>
     <message>
         <source>share per class</source>
@@ -12624,8 +12624,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>5 % bis 95 %</translation>
     </message>
     <message>
-        <source>values entered</source>
-        <translation>eingegebene Werte</translation>
+        <source>with the values entered</source>
+        <translation>mit den eingegebenen Werten</translation>
     </message>
     <message>
         <source>share of the scatter
@@ -12690,12 +12690,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 von %2 Punkten nicht gelöst (schraffiert)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is above %5. This lowest value is at %4 = %6.</source>
-        <translation>%1 übersteigt %2 nur, wo %3 über %5 liegt. Dieser kleinste Wert liegt bei %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is above %5. The point with the lowest such %3 has %4 = %6.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 über %5 liegt. Der Punkt mit dem kleinsten solchen Wert hat %4 = %6.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6.</source>
-        <translation>%1 übersteigt %2 nur, wo %3 unter %5 liegt. Dieser größte Wert liegt bei %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is below %5. The point with the highest such %3 has %4 = %6.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 unter %5 liegt. Der Punkt mit dem größten solchen Wert hat %4 = %6.</translation>
     </message>
     <message>
         <source>present design: %1</source>
@@ -12711,23 +12711,23 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Change %1 from %2 to %3: this improves %4 from %6 to %5.</source>
-        <translation>%1 von %2 auf %3 ändern: %4 wird besser, %5 statt %6.</translation>
+        <translation>%1 von %2 auf %3 ändern. Das verbessert die Zielgröße „%4“ von %6 auf %5.</translation>
     </message>
     <message>
         <source>Change the design from %1 to %2: this improves %3 from %5 to %4.</source>
-        <translation>Die Auslegung von %1 auf %2 wechseln: %3 wird besser, %4 statt %5.</translation>
+        <translation>Von der Auslegung %1 auf %2 wechseln. Das verbessert die Zielgröße „%3“ von %5 auf %4.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
-        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag (%2 erforderlich).</translation>
+        <source>A feed force of %1 is enough for a single blow at any gap (%2 required).</source>
+        <translation>Ein Andruck von %1 reicht für einen einzelnen Schlag, gleich bei welchem Spalt vor der Krone (%2 erforderlich).</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
         <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein (%2 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow, whatever the gap (this requires %2).</source>
-        <translation>Ein Andruck von %1 reicht für jeden einzelnen Schlag. Er bringt sogar eine ungedämpfte Stange bei jedem Spalt vor dem nächsten Schlag zurück ans Gestein, was %2 erfordert.</translation>
+        <source>A feed force of %1 is enough for a single blow at any gap. It even returns an undamped rod to the rock before the next blow (this requires %2).</source>
+        <translation>Ein Andruck von %1 reicht für einen einzelnen Schlag, gleich bei welchem Spalt vor der Krone. Er bringt sogar eine ungedämpfte Stange vor dem nächsten Schlag zurück ans Gestein (dafür sind %2 erforderlich).</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time, which requires %2; other gaps between bit and rock were not examined.</source>
@@ -12843,9 +12843,9 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1
-(filled: none is better in both)</source>
+(filled dots: no other design is better in both)</source>
         <translation>%1
-(gefüllt: keine ist in beidem besser)</translation>
+(gefüllte Punkte: keine andere Auslegung ist in beidem besser)</translation>
     </message>
     <message>
         <source> (%1 compared with the present value)</source>
@@ -15153,10 +15153,17 @@ flexion</translation>
         <translation>Voreinstellung</translation>
     </message>
     <message>
-        <source>of
-strength</source>
-        <translation>von der
-Festigkeit</translation>
+        <source>strength
+used</source>
+        <translation>Festigkeit
+genutzt</translation>
+    </message>
+    <message>
+        <source>joint
+loss</source>
+        <translation>Verbin-
+dungs-
+verlust</translation>
     </message>
     <message>
         <source>diam-

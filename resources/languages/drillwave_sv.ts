@@ -2642,8 +2642,8 @@ Ta bort ändå?</translation>
         <translation>95 % av alla spalter</translation>
     </message>
     <message>
-        <source>below required</source>
-        <translation>under kravet</translation>
+        <source>not enough</source>
+        <translation>räcker inte</translation>
     </message>
     <message>
         <source>fully elastic rock (gamma = 1), worst gap</source>
@@ -2654,12 +2654,12 @@ Ta bort ändå?</translation>
         <translation>ingen uppskattning</translation>
     </message>
     <message>
-        <source>above the required feed</source>
-        <translation>över matningskraften som krävs</translation>
+        <source>enough in all cases</source>
+        <translation>räcker i samtliga fall</translation>
     </message>
     <message>
-        <source>enough to return in time</source>
-        <translation>nog för återkomst i tid</translation>
+        <source>returns the rod in time</source>
+        <translation>stången återvänder i tid</translation>
     </message>
     <message>
         <source>rigid rock</source>
@@ -2722,8 +2722,8 @@ Ta bort ändå?</translation>
         <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % med åtdragna gängor, 6 till 10 % med slitna gängor (facktexter, inte uppmätt)</translation>
     </message>
     <message>
-        <source>enough for this gap</source>
-        <translation>räcker för denna spalt</translation>
+        <source>enough for this blow only</source>
+        <translation>räcker bara för detta slag</translation>
     </message>
     <message>
         <source>rock</source>
@@ -8309,11 +8309,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>best for uncertain rock</source>
-        <translation>bäst för osäkert berg</translation>
+        <translation>bästa konstruktionen för osäkert berg</translation>
     </message>
     <message>
         <source>best for the values entered</source>
-        <translation>bäst för de angivna värdena</translation>
+        <translation>bästa konstruktionen för de angivna värdena</translation>
     </message>
     <message>
         <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
@@ -11408,8 +11408,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>per klass [%]</translation>
     </message>
     <message>
-        <source>below [%]</source>
-        <translation>under [%]</translation>
+        <source>cumulative [%]</source>
+        <translation>kumulativt [%]</translation>
     </message>
     <message>
         <source>share per class</source>
@@ -12624,8 +12624,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>5 % till 95 %</translation>
     </message>
     <message>
-        <source>values entered</source>
-        <translation>angivna värden</translation>
+        <source>with the values entered</source>
+        <translation>med de angivna värdena</translation>
     </message>
     <message>
         <source>share of the scatter
@@ -12690,12 +12690,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 av %2 punkter inte lösta (skrafferade)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is above %5. This lowest value is at %4 = %6.</source>
-        <translation>%1 överstiger %2 bara där %3 är över %5. Detta lägsta värde ligger vid %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is above %5. The point with the lowest such %3 has %4 = %6.</source>
+        <translation>%1 överstiger %2 bara där %3 är över %5. Punkten med det lägsta sådana värdet har %4 = %6.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is below %5. This highest value is at %4 = %6.</source>
-        <translation>%1 överstiger %2 bara där %3 är under %5. Detta högsta värde ligger vid %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is below %5. The point with the highest such %3 has %4 = %6.</source>
+        <translation>%1 överstiger %2 bara där %3 är under %5. Punkten med det högsta sådana värdet har %4 = %6.</translation>
     </message>
     <message>
         <source>present design: %1</source>
@@ -12718,16 +12718,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Byt konstruktion från %1 till %2: det förbättrar %3 från %5 till %4.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow (%2 required).</source>
-        <translation>En matningskraft på %1 räcker för varje enskilt slag (%2 krävs).</translation>
+        <source>A feed force of %1 is enough for a single blow at any gap (%2 required).</source>
+        <translation>En matningskraft på %1 räcker för ett enstaka slag, oavsett spalten framför kronan (%2 krävs).</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow and for rigid rock (%2 required); other gaps between bit and rock were not examined.</source>
         <translation>En matningskraft på %1 räcker för detta slag och för stelt berg (%2 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for every single blow. It even returns an undamped rod to the rock before the next blow, whatever the gap (this requires %2).</source>
-        <translation>Matningskraften %1 räcker för varje enskilt slag. Den för till och med en odämpad stång tillbaka till berget före nästa slag vid varje spel, vilket kräver %2.</translation>
+        <source>A feed force of %1 is enough for a single blow at any gap. It even returns an undamped rod to the rock before the next blow (this requires %2).</source>
+        <translation>En matningskraft på %1 räcker för ett enstaka slag, oavsett spalten framför kronan. Den för till och med en odämpad stång tillbaka till berget före nästa slag (det kräver %2).</translation>
     </message>
     <message>
         <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time, which requires %2; other gaps between bit and rock were not examined.</source>
@@ -12843,9 +12843,9 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1
-(filled: none is better in both)</source>
+(filled dots: no other design is better in both)</source>
         <translation>%1
-(fylld: ingen är bättre i båda)</translation>
+(fyllda punkter: ingen annan konstruktion är bättre i båda)</translation>
     </message>
     <message>
         <source> (%1 compared with the present value)</source>
@@ -15153,10 +15153,17 @@ i skarv</translation>
         <translation>förval</translation>
     </message>
     <message>
-        <source>of
-strength</source>
-        <translation>av håll-
-fastheten</translation>
+        <source>strength
+used</source>
+        <translation>håll-
+fasthet
+nyttjad</translation>
+    </message>
+    <message>
+        <source>joint
+loss</source>
+        <translation>skarv-
+förlust</translation>
     </message>
     <message>
         <source>diam-

@@ -196,7 +196,7 @@ void TestRun::theSummaryIsForPeople() {
     // The recommendation stands first.
     QVERIFY2(finished.out.startsWith(
                  "T38 rod, medium rock\n"
-                 "  A feed force of 8 kN is enough for every single blow (7.253 kN required)."),
+                 "  A feed force of 8 kN is enough for a single blow at any gap (7.253 kN required)."),
              finished.out);
 }
 

@@ -135,7 +135,7 @@ void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow_data() {
     const QString rod = QStringLiteral("t38_medium_rock"), string = QStringLiteral("t38_string");
     QTest::newRow("US")
         << rod << true
-        << QStringList{"A feed force of 1798 lbf is enough for every single blow (1631 lbf required).",
+        << QStringList{"A feed force of 1798 lbf is enough for a single blow at any gap (1631 lbf required).",
                        "12.0079 ft",
                        "1.49606 in",
                        "in US units",
@@ -149,7 +149,7 @@ void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow_data() {
                                   << QStringList{" kN<", " MPa at", " MPa<"};
     QTest::newRow("German")
         << rod << false
-        << QStringList{"A feed force of 8 kN is enough for every single blow (7,253 kN required).",
+        << QStringList{"A feed force of 8 kN is enough for a single blow at any gap (7,253 kN required).",
                        ">3,66 m<", "+10,3 %"}
         << QStringList{">3.66 m<", "66.1 Hz", "10.3 %"};
 }

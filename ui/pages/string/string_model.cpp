@@ -52,6 +52,7 @@ bool isLossOnTheWay(int column) {
 // The label of the parameter, in two lines where it is long.
 QString columnTitle(int column) {
     if (column == StringModel::diameter) return StringModel::tr("diam-\neter");
+    if (column == StringModel::loss) return StringModel::tr("joint\nloss");
     if (column == StringModel::massAfter) return StringModel::tr("mass at\nend");
     if (column == StringModel::attenuation) return StringModel::tr("attenu-\nation");
     QString title = coreText(findSectionField(fieldKey(column))->label);
@@ -313,7 +314,7 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
         case reflected:
             return withUnit(tr("joint\nreflects"), QStringLiteral("%"));
         case strengthShare:
-            return withUnit(tr("of\nstrength"), QStringLiteral("%"));
+            return withUnit(tr("strength\nused"), QStringLiteral("%"));
         case presetName:
             return tr("preset");
         default:

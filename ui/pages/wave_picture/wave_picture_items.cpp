@@ -165,6 +165,7 @@ void ContactBarsItem::draw(QCPPainter* painter) {
         painter->setPen(Qt::NoPen);
         painter->setBrush(m_style.text);
         painter->drawRect(bar);
+        if (contacts.size() == 1) continue;  // a number would say nothing
         const double baseline = bar.center().y() + digits / 2;
         if (baseline > numberedFrom) continue;
         numberedFrom = baseline - 1.5 * digits;
