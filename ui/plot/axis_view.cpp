@@ -144,6 +144,28 @@ bool setTickCount(QCPAxis& axis) {
     return true;
 }
 
+namespace {
+
+constexpr const char* secondLineProperty = "secondLine";
+
+// Breaks a text at the space that makes its longer line shortest. A text without spaces stays in one line.
+QStringList inTwoLines(const QString& text, const QFontMetricsF& metrics) {
+    QStringList best{text};
+    double least = metrics.horizontalAdvance(text);
+    for (qsizetype at = text.indexOf(QLatin1Char(' ')); at > 0; at = text.indexOf(QLatin1Char(' '), at + 1)) {
+        const QStringList lines{text.left(at), text.mid(at + 1)};
+        const double width =
+            std::max(metrics.horizontalAdvance(lines[0]), metrics.horizontalAdvance(lines[1]));
+        if (width < least) {
+            least = width;
+            best = lines;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
 QString labelThatFits(const QCPAxis& axis) {
     constexpr double beyond = 10;  // both ends of a vertical axis [px]
     const QFontMetricsF metrics(axis.labelFont());
@@ -163,8 +185,29 @@ QString labelThatFits(const QCPAxis& axis) {
         return words.size() > 2 ? words + tail : tail.trimmed();
     };
     QStringList lines = axis.label().split(QLatin1Char('\n'));
+    if (lines.size() == 1 && fitted(axis.label()) != axis.label()) {
+        const QStringList halves = inTwoLines(axis.label(), metrics);
+        if (std::ranges::all_of(halves, [&](const QString& line) { return fitted(line) == line; }))
+            return halves.join(QLatin1Char('\n'));
+    }
     std::ranges::transform(lines, lines.begin(), fitted);
     return lines.join(QLatin1Char('\n'));
+}
+
+int secondLine(const QCPAxis& axis) {
+    return axis.property(secondLineProperty).toInt();
+}
+
+bool reserveSecondLine(QCPAxis& axis, bool isWanted) {
+    const int had = secondLine(axis);
+    const auto height = [metrics = QFontMetrics(axis.labelFont())](const QString& text) {
+        return metrics.boundingRect(0, 0, 0, 0, Qt::TextDontClip, text).height();
+    };
+    const int room = isWanted ? height(QStringLiteral("X\nX")) - height(QStringLiteral("X")) : 0;
+    if (room == had) return false;
+    axis.setLabelPadding(axis.labelPadding() - had + room);
+    axis.setProperty(secondLineProperty, room);
+    return true;
 }
 
 void setTickDigits(QCPAxis& axis) {

@@ -39,10 +39,18 @@ void fitLogarithmic(QCPAxis& axis);
 /// Sets the number of ticks that an axis aims at according to its length: from 3 to 5 on a vertical axis,
 /// from 2 to 5 on a horizontal one. Returns true if the number has changed; the plot must then be redrawn.
 bool setTickCount(QCPAxis& axis);
-/// Returns the label of an axis, shortened if it is longer than a vertical axis, or would go beyond the edges
-/// of the plot. The words before the unit or the value are cut with an ellipsis. They are left out if only a
-/// letter would remain.
+
+/// Returns the label of an axis so that it is not longer than a vertical axis and stays within the edges of
+/// the plot. A label of one line that is too long gets two lines if both fit. Otherwise the words before its
+/// unit or value are cut with an ellipsis, or left out if only a letter would remain.
 QString labelThatFits(const QCPAxis& axis);
+
+/// Returns the room that is reserved for a second line of the label [px]; 0 if there is none.
+int secondLine(const QCPAxis& axis);
+/// Adds the room of a second line to the distance between label and ticks (QCPAxis::labelPadding()), or
+/// removes it. The label still has one line; labelThatFits() is set only while the plot is drawn. Returns
+/// true if the room has changed; the plot must then be redrawn.
+bool reserveSecondLine(QCPAxis& axis, bool isWanted);
 
 /// Sets the number of significant digits of the tick labels, from 6 to 16, so that neighbouring labels
 /// differ. Labels that are powers of ten are left as they are.

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -22,7 +23,7 @@ namespace {
 
 constexpr int cellColumns = 3;  // of two lines each
 constexpr int margin = 3;
-constexpr int choiceWidth = 96, mostChoiceWidth = 230;
+constexpr int choiceWidth = 96, mostChoiceWidth = 300;
 constexpr int digitsWhereNarrow = 5;
 constexpr int largeType = 20;    // [px] high: a narrow table has no room for it
 constexpr double shrunk = 0.75;  // then
@@ -34,10 +35,20 @@ QString cellText(const ReadingCell& cell, const QLocale& locale, int digits) {
     return cell.label.isEmpty() ? number : cell.label + QLatin1Char(' ') + number;
 }
 
-// Ends a name for which there is no room with an ellipsis; the tooltip has all of it.
+}  // namespace
+
+// A name too long for one line gets a second line if `canWrap`. Words without room end with an ellipsis; the
+// tooltip has the whole name.
 class CurveChoice : public QComboBox {
   public:
     using QComboBox::QComboBox;
+
+    void fit(int width, bool canWrap) {
+        setFixedWidth(width);
+        ensurePolished();
+        const bool isLong = fontMetrics().horizontalAdvance(currentText()) > room(width);
+        setFixedHeight(sizeHint().height() + (canWrap && isLong ? fontMetrics().lineSpacing() : 0));
+    }
 
   protected:
     bool event(QEvent* event) override {
@@ -51,15 +62,29 @@ class CurveChoice : public QComboBox {
         QStyleOptionComboBox option;
         initStyleOption(&option);
         painter.drawComplexControl(QStyle::CC_ComboBox, option);
-        const int room =
-            style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width();
-        constexpr int edges = 4;  // of the text within the field [px]
-        option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room - edges);
+        if (height() > sizeHint().height()) {
+            const QRect field = fieldOf(option).adjusted(edges / 2, 0, -edges / 2, 0);
+            painter.drawItemText(field, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, palette(),
+                                 isEnabled(), currentText(), QPalette::ButtonText);
+            return;
+        }
+        option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room(width()));
         painter.drawControl(QStyle::CE_ComboBoxLabel, option);
     }
-};
 
-}  // namespace
+  private:
+    static constexpr int edges = 4;  // of the text within the field [px]
+
+    QRect fieldOf(const QStyleOptionComboBox& option) const {
+        return style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+    }
+    int room(int width) const {
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        option.rect.setWidth(width);
+        return fieldOf(option).width() - edges;
+    }
+};
 
 CursorBar::CursorBar(QWidget* parent)
     : QFrame(parent),
@@ -153,12 +178,15 @@ void CursorBar::arrange() {
     m_grid->addWidget(m_close, 0, cellColumns + 4, wide ? 2 : 3, 1);
 }
 
-// The buttons follow the curve, in the last column.
+// The list of curves takes two columns, the buttons the last one.
 void CursorBar::arrangeNarrow() {
     m_grid->setColumnStretch(cellColumns, 0);
-    m_grid->addWidget(m_choice, 0, 0, Qt::AlignLeft);  // which leaves the column its width
-    m_grid->addWidget(m_copy, 0, 1, Qt::AlignRight);
-    m_grid->addWidget(m_close, 0, 2, Qt::AlignRight);
+    m_grid->addWidget(m_choice, 0, 0, 1, 2, Qt::AlignLeft);  // which leaves the columns their width
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch();
+    buttons->addWidget(m_copy);
+    buttons->addWidget(m_close);
+    m_grid->addLayout(buttons, 0, 2);
     for (int i = 0; i < m_labels.size(); ++i)
         m_grid->addWidget(m_labels[i], i < 2 * cellColumns ? 1 + i % 2 : 3,
                           i < 2 * cellColumns ? i / 2 : i - 2 * cellColumns);
@@ -166,15 +194,19 @@ void CursorBar::arrangeNarrow() {
 
 void CursorBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    const int width = event->size().width();
-    const Form form = formFor(width);
-    const int column = width / cellColumns - 2 * m_grid->horizontalSpacing();  // narrow: it is as wide
-    const int room = form == Form::narrow ? column : choiceWidth + width - leastWidth(form);
-    m_choice->setFixedWidth(std::clamp(room, choiceWidth, mostChoiceWidth));
+    fitChoice();
     if (formFor(event->size().width()) != m_form) {
         arrange();
         writeCells();
     }
+}
+
+void CursorBar::fitChoice() {
+    const Form form = formFor(width());
+    const int columns =
+        2 * width() / cellColumns - 2 * m_grid->horizontalSpacing();  // narrow: as wide as two
+    const int room = form == Form::narrow ? columns : choiceWidth + width() - leastWidth(form);
+    m_choice->fit(std::clamp(room, choiceWidth, mostChoiceWidth), form == Form::usual);
 }
 
 void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen) {
@@ -191,6 +223,7 @@ void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen
     }
     m_choice->setCurrentIndex(static_cast<int>(curves.indexOf(const_cast<QCPGraph*>(chosen))));
     m_choice->setToolTip(m_choice->currentText());
+    fitChoice();
 }
 
 void CursorBar::present(const ReadingCells& cells, Of of) {

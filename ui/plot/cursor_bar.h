@@ -10,12 +10,13 @@
 
 #include "ui/plot/reading_cells.h"
 
-class QComboBox;
 class QGridLayout;
 class QLabel;
 class QToolButton;
 
 namespace drillwave {
+
+class CurveChoice;
 
 /// Strip with a list to choose one of the visible curves and a table of the readings of that curve. Its
 /// height depends only on its width, never on the text.
@@ -58,9 +59,10 @@ class CursorBar : public QFrame {
     Form formFor(int width) const;
     void arrange();
     void arrangeNarrow();
+    void fitChoice();
     void writeCells();
 
-    QComboBox* m_choice;
+    CurveChoice* m_choice;
     QGridLayout* m_grid;
     QList<QLabel*> m_labels;
     QToolButton* m_copy;

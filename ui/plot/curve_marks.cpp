@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "ui/plot/label_places.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -59,11 +60,15 @@ QPolygonF inPixels(const QCPAxisRect& rect) {
     return points;
 }
 
-// Returns markers of other things in the rect, which words must not cover.
+// Returns markers of other things in the rect, and labels with a fixed place, which words must not cover.
 QVector<QRectF> markersIn(QCPAxisRect& rect, const QVector<QCPItemTracer*>& own) {
     QVector<QRectF> found;
     const QCustomPlot& plot = *rect.parentPlot();
     for (int i = 0; i < plot.itemCount(); ++i) {
+        const auto* label = qobject_cast<QCPItemText*>(plot.item(i));
+        if (label && label->visible() && label->objectName() == QLatin1String(fixedLabel) &&
+            label->clipAxisRect() == &rect)
+            found.append(rectOf(*label));
         auto* marker = qobject_cast<QCPItemTracer*>(plot.item(i));
         if (!marker || !marker->visible() || own.contains(marker)) continue;
         if (marker->clipAxisRect() != &rect) continue;

@@ -25,6 +25,7 @@ void FigureBands::present(std::vector<ShownBand> bands) {
             corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
         item.name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
         item.name->setPadding(QMargins(2, 2, 2, 2));
+        item.name->setObjectName(QLatin1String(fixedLabel));
         m_items.push_back(item);
     }
     setStyle(m_style);

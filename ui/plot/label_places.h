@@ -11,6 +11,9 @@
 
 namespace drillwave {
 
+/// Object name of labels that have one place only. Labels of marked points must not cover them.
+inline constexpr char fixedLabel[] = "fixedLabel";
+
 /// Label of a plot with functions that move it to each of its possible places, the best place first.
 /// placeLabels() chooses among them.
 struct PlacedLabel {

@@ -101,27 +101,41 @@ void PlotWidget::followSizes() {
     for (const QCPAxisRect* rect : axisRects())
         for (QCPAxis* axis : rect->axes())
             if (axis->visible() && axis->tickLabels()) isOther |= setTickCount(*axis);
+    isOther |= fitLabels();
     if (isOther) replot(rpQueuedReplot);
-    fitLabels();
 }
 
-// The axes have shortened labels only while they are drawn: others read the whole ones.
-void PlotWidget::fitLabels() {
+QList<QCPAxis*> PlotWidget::labelledAxes() const {
     QList<QCPAxis*> axes;
     for (const QCPAxisRect* rect : axisRects()) axes += rect->axes();
     for (QCPLayoutElement* element : plotLayout()->elements(true))
         if (auto* scale = qobject_cast<QCPColorScale*>(element)) axes.append(scale->axis());
-    for (QCPAxis* axis : axes) {
+    return axes;
+}
+
+// The axes have shortened labels, or two lines, only while they are drawn: others read the whole ones.
+// Returns true if an axis needs other room for its label, which the next layout gives.
+bool PlotWidget::fitLabels() {
+    restoreLabels();  // a picture without replot() leaves them
+    bool isOther = false;
+    for (QCPAxis* axis : labelledAxes()) {
         const QString label = axis->label(), fitting = axis->visible() ? labelThatFits(*axis) : label;
+        const QLatin1Char lineEnd('\n');
+        isOther |= reserveSecondLine(*axis, fitting.count(lineEnd) > label.count(lineEnd));
         if (fitting == label) continue;
-        m_wholeLabels.insert(axis, label);
+        m_fittedLabels.insert(axis, {label, fitting});
         axis->setLabel(fitting);
+        axis->setLabelPadding(axis->labelPadding() - secondLine(*axis));
     }
+    return isOther;
 }
 
 void PlotWidget::restoreLabels() {
-    for (const auto& [axis, label] : m_wholeLabels.asKeyValueRange()) axis->setLabel(label);
-    m_wholeLabels.clear();
+    for (const auto& [axis, label] : m_fittedLabels.asKeyValueRange()) {
+        if (axis->label() == label.fitting) axis->setLabel(label.whole);
+        axis->setLabelPadding(axis->labelPadding() + secondLine(*axis));
+    }
+    m_fittedLabels.clear();
 }
 
 void PlotWidget::resizeEvent(QResizeEvent* event) {
@@ -176,6 +190,8 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     setLocale(QLocale::c());
     // The ticks are those on show, whatever the size on paper.
     disconnect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followSizes);
+    restoreLabels();
+    for (QCPAxis* axis : labelledAxes()) reserveSecondLine(*axis, false);
     m_hover.hide();
     const bool wasHidden = m_point->isHidden();
     m_point->setHidden(true);

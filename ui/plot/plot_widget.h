@@ -162,7 +162,8 @@ class PlotWidget : public QCustomPlot {
     void followScreen();
     void prepareReplot();
     void followSizes();
-    void fitLabels();
+    bool fitLabels();
+    QList<QCPAxis*> labelledAxes() const;
     void restoreLabels();
 
     Restyle m_restyle;
@@ -170,7 +171,10 @@ class PlotWidget : public QCustomPlot {
     std::function<void()> m_name;
     bool m_current = true;
     CurveMeanings m_meanings;
-    QHash<QCPAxis*, QString> m_wholeLabels;  // full labels of axes with abbreviated ones
+    struct FittedLabel {
+        QString whole, fitting;
+    };
+    QHash<QCPAxis*, FittedLabel> m_fittedLabels;  // of axes whose labels are shortened or in two lines
     CurveReader m_reader;
     HoverMark m_hover;
     PlotView m_view;

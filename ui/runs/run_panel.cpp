@@ -66,6 +66,7 @@ RunPanel::RunPanel(Runs& runs, QWidget* parent)
     m_list->header()->setSectionResizeMode(value, QHeaderView::ResizeToContents);
     m_list->header()->setSectionResizeMode(change, QHeaderView::ResizeToContents);
     auto* head = new QHBoxLayout;
+    head->setSpacing(8);
     head->addWidget(title);
     head->addWidget(m_hint, 1);
     head->addWidget(m_output);

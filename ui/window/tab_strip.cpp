@@ -171,6 +171,7 @@ void TabStrip::paintEvent(QPaintEvent* event) {
         const QRect place = tabRect(index);
         painter.setPen(palette().color(QPalette::Active, QPalette::WindowText));
         if (named) painter.drawText(place, Qt::AlignCenter, tabText(index));
+        painter.setPen(palette().color(QPalette::Mid));
         if (index > 0)
             painter.drawLine(place.left() + 2, place.top() + 4, place.left() + 2, place.bottom() - 4);
     }

@@ -23,7 +23,7 @@ class TestPlotCursors : public QObject {
     void cursorsAreDraggedWithoutDrawingTheCurvesAgain();
     void aClickOnACurveHasItRead();
     void aCurveThatIsGoneIsNotRead();
-    void aLongNameOfACurveIsWidenedOrElided();
+    void aLongNameOfACurveIsWidenedWrappedOrElided();
     void exactIntegralsComeFromTheMeaning();
     void theTableSaysWhatItReads();
     void newDataAreReadAtTheSameCursors();
@@ -118,7 +118,7 @@ void TestPlotCursors::aCurveThatIsGoneIsNotRead() {
     QCOMPARE(choice->count(), 0);
 }
 
-void TestPlotCursors::aLongNameOfACurveIsWidenedOrElided() {
+void TestPlotCursors::aLongNameOfACurveIsWidenedWrappedOrElided() {
     const auto pictureOf = [this](const QString& name, int width) {
         m->step->setName(name);
         m->plot.resize(width, m->plot.height());
@@ -129,13 +129,20 @@ void TestPlotCursors::aLongNameOfACurveIsWidenedOrElided() {
     };
     auto* choice = m->plot.findChild<QComboBox*>(QStringLiteral("readCurve"));
     const QString name = QStringLiteral("largest compression of all sections");
-    const QImage elided = pictureOf(name, 500);
+    const int oneLine = choice->sizeHint().height();
+    int width = 900;
+    while (width > 400 && choice->height() == oneLine) pictureOf(name, width -= 20);
+    QVERIFY(choice->fontMetrics().horizontalAdvance(name) > choice->width() - choice->height());
+    QCOMPARE(choice->height(), oneLine + choice->fontMetrics().lineSpacing());
+    const QString veryLong = QStringLiteral("largest compression of all sections with all residual waves");
+    const QImage elided = pictureOf(veryLong, 400);
+    QCOMPARE(choice->height(), oneLine);
     const int narrow = choice->width();
-    QCOMPARE(choice->toolTip(), name);
-    QVERIFY(choice->fontMetrics().horizontalAdvance(name) > narrow);
+    QCOMPARE(choice->toolTip(), veryLong);
+    QVERIFY(choice->fontMetrics().horizontalAdvance(veryLong) > narrow);
     // As a combo box draws it: cut off, without the dots.
     QComboBox usual;
-    usual.addItem(name);
+    usual.addItem(veryLong);
     usual.setFont(choice->font());
     usual.resize(choice->size());
     QVERIFY(usual.grab().toImage() != elided);

@@ -39,6 +39,7 @@ class TestPlotWidget : public QObject {
     void replotsArePaintedTogetherWithTheWindow();
     void labelIsElidedBeforeItsUnitWhenTheAxisIsShort();
     void labelIsElidedOnlyWhileItIsDrawn();
+    void labelHasOneLineAgainWhenTheAxisIsLongEnough();
     void shortAxesHaveFewTicks();
 
   private:
@@ -264,7 +265,13 @@ void TestPlotWidget::labelIsElidedBeforeItsUnitWhenTheAxisIsShort() {
     QCOMPARE(labelThatFits(axis), axis.label());
     m->plot.resize(640, 380);
     m->plot.replot();
-    const QString label = labelThatFits(axis);
+    QCOMPARE(labelThatFits(axis), QStringLiteral("stress (tension\npositive) [MPa]"));
+    QString label;
+    for (int height = 370; height > 150 && !label.contains(QChar(0x2026)); height -= 10) {
+        m->plot.resize(640, height);
+        m->plot.replot();
+        label = labelThatFits(axis);
+    }
     QVERIFY2(label.startsWith(QStringLiteral("str")) && label.endsWith(QStringLiteral("… [MPa]")),
              qPrintable(label));
     m->plot.resize(640, 150);
@@ -279,14 +286,35 @@ void TestPlotWidget::labelIsElidedBeforeItsUnitWhenTheAxisIsShort() {
 
 void TestPlotWidget::labelIsElidedOnlyWhileItIsDrawn() {
     QCPAxis& axis = *m->y(m->upper);
-    axis.setLabel(QStringLiteral("stress (tension positive) [MPa]"));
+    const QString whole = QStringLiteral("stress_of_which_tension_is_positive [MPa]");
+    axis.setLabel(whole);
     m->plot.resize(640, 380);
     m->plot.replot();
-    QCOMPARE(axis.label(), QStringLiteral("stress (tension positive) [MPa]"));
+    QCOMPARE(axis.label(), whole);
     const QImage shown = m->plot.toPixmap().toImage();
+    QVERIFY(labelThatFits(axis) != whole);
     axis.setLabel(labelThatFits(axis));
     m->plot.replot();
     QCOMPARE(m->plot.toPixmap().toImage(), shown);
+}
+
+void TestPlotWidget::labelHasOneLineAgainWhenTheAxisIsLongEnough() {
+    QCPAxis& axis = *m->y(m->upper);
+    axis.setLabel(QStringLiteral("stress (tension positive) [MPa]"));
+    const auto settled = [&](int height) {
+        m->plot.resize(640, height);
+        m->plot.replot();
+        QCoreApplication::processEvents();
+        return m->plot.toPixmap().toImage();
+    };
+    const int padding = axis.labelPadding();
+    const QImage first = settled(900);
+    settled(380);
+    m->plot.replot();
+    QVERIFY(secondLine(axis) > 0);
+    QCOMPARE(axis.labelPadding(), padding + secondLine(axis));
+    QCOMPARE(settled(900), first);
+    QCOMPARE(axis.labelPadding(), padding);
 }
 
 void TestPlotWidget::shortAxesHaveFewTicks() {
