@@ -166,7 +166,8 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QCommandLineParser words;
     const QCommandLineOption us("us", "US units in place of SI.");
-    const QCommandLineOption locale("locale", "Numbers as in LOCALE, such as de_DE.", "LOCALE", "C");
+    const QCommandLineOption locale(
+        "locale", "Numbers as in LOCALE, such as de_DE (default: as in LANGUAGE).", "LOCALE");
     const QCommandLineOption type("type", "Type of POINTS points.", "POINTS");
     const QCommandLineOption only("size", "That size alone, at one pixel a point.", "WIDTHxHEIGHT");
     const QCommandLineOption language("language", "The window in LANGUAGE: de, sv or en.", "LANGUAGE", "en");
@@ -184,9 +185,10 @@ int main(int argc, char** argv) {
         wanted.bothScales = false;
     }
     if (named.isEmpty() || named.size() > 2 || wanted.sizes.first().isEmpty()) words.showHelp(2);
-    QLocale::setDefault(withoutGroups(QLocale(words.value(locale))));
     const Language* spoken = findLanguage(words.value(language).toStdString());
     if (!spoken) words.showHelp(2);
+    const QString ofLanguage = words.value(language) == "en" ? QStringLiteral("C") : words.value(language);
+    QLocale::setDefault(withoutGroups(QLocale(words.isSet(locale) ? words.value(locale) : ofLanguage)));
     speak(*spoken);
     if (words.isSet(type)) {
         QFont font = QApplication::font();
