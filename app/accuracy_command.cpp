@@ -127,16 +127,14 @@ const Command& accuracyCommand() {
         .operands = "FILE",
         .summary = "compare error and run time of every method and resolution",
         .details =
-            "Solves the blow exactly, in closed form if it applies, and on the paper's lattice with 100 to\n"
-            "20000 segments. Compares the errors and run times of these methods, which takes some ten "
-            "seconds.\n"
-            "For drill strings, compares the solver of this program (polynomial cells) at several cell "
-            "sizes\n"
-            "with a plain lattice.",
+            "Solves the blow exactly, in closed form if it applies, and numerically with the rod divided "
+            "into\n100 to 20000 segments (lattice). Compares errors and run times, which takes some ten "
+            "seconds. For\ndrill strings, compares the solver of this program at several cell sizes with a "
+            "lattice of\nconstant cells.",
         .options = scenarioOptions(
             {{"segments", "A,B,C",
-              "segment counts of the lattice method to compare, such as 100,1000 (default: from 100 to "
-              "20000)"},
+              "numbers of rod segments to compare in the lattice method (time steps), such as 100,1000 "
+              "(default: from 100 to 20000)"},
              {"work-limit", "N",
               "limit the work of the lattice method, counted as time steps times segments (default: "
               "1000000000, about half a minute)"},

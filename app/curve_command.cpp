@@ -177,28 +177,30 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
 std::vector<OptionSpec> curveOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
         {{"along", "KEY=RANGE",
-          "parameter along the curve, from START to STOP without steps; with :log, its axis is logarithmic"},
+          "parameter to follow continuously from START to STOP; with :log, its axis is logarithmic"},
          {"family", "KEY=VALUES",
           "vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, "
           "START:STOP:COUNT:log (equal ratios) or A,B,C"},
          {"outputs", "A,B|all",
           "outputs to compute along the parameter, listed below (default: cor, the coefficient of "
           "restitution)"},
-         {"level", "X", "also print where an output crosses this value, in the unit of its column",
+         {"level", "X",
+          "also print where an output crosses this value; give the value in the unit of the output's column",
           OptionSpec::Times::repeated},
          {"goal", "X",
-          "print every value of the parameter at which the output is X, in the unit of its column; exit code "
-          "6 if there is none"},
+          "print each parameter value at which the output is X. X is in the unit of the output's column. "
+          "Exit code 6 if there is no such value"},
          {"json", "", "print one JSON object instead of the tables"},
          {"si", "", "print and write outputs in SI"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "skip blows that need more than N wave pieces in the exact solver (default: 1000000)"},
+              "skip blows whose waves the exact solver must split into more than N pieces (default: "
+              "1000000)"},
              {"j", "N", "number of threads (default: all)"},
              {"o", "FILE.csv",
-              "also write the points of the curve to FILE.csv, the settings to FILE.csv.yaml and the values "
-              "that --goal finds to FILE_goal.csv; -o - prints the points instead of the tables"},
+              "also write the curve to FILE.csv, the settings to FILE.csv.yaml and the --goal values to "
+              "FILE_goal.csv; -o - prints the points instead of the tables"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()})
@@ -210,13 +212,14 @@ std::vector<OptionSpec> curveOptions() {
 
 const Command& curveCommand() {
     static constexpr std::string_view details =
-        "Follows outputs over a whole range of a parameter, between any grid points, and finds every kink\n"
-        "and jump. For each output, prints where it is smallest and largest, its local extremes, its kinks\n"
-        "and jumps, and where it crosses a --level, all with their errors. If this needs too much computing\n"
-        "for an output, it is solved only at single points, and the table says so.\n"
-        "--goal X prints the values of the parameter at which the output is X, each with its error, and\n"
-        "whether there may be others. If no value gives X, it prints the value that comes nearest. Values\n"
-        "carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log";
+        "Follows outputs continuously over the range of a parameter, and finds every kink and jump. "
+        "For\neach output, prints where it is smallest and largest, its other minima and maxima, its kinks "
+        "and\nits jumps. Also prints where the output crosses a --level. All values have errors. If "
+        "following an\noutput takes too much computing, it is solved only at single points, and the table "
+        "says so.\n--goal X prints every value of the parameter at which the output is X, with its error, "
+        "and whether\nthere may be others. If no value gives X, prints the output nearest to X and where it "
+        "occurs. Give\nvalues with units if the parameter has one: --along "
+        "bit_rock.stiffness=10MN/m:10GN/m:log";
     static const Command command{
         .name = "curve",
         .operands = "FILE",

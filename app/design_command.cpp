@@ -117,23 +117,22 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
 const Command& designCommand() {
     using Times = OptionSpec::Times;
     static constexpr std::string_view details =
-        "Solves every design, that is, every combination of the --choose values, with the same random\n"
-        "samples of the uncertain inputs. Prints which design is best over all samples (best for uncertain\n"
-        "rock) and which is best with the inputs of FILE (best for the values entered), both by the first\n"
-        "--aim. Also prints which designs are equally good within the errors, which input to measure first,\n"
-        "and the worst case found in the ranges. The first sentence includes a warning if the recommended\n"
-        "design exceeds a strength.\n"
-        "  --uncertain KEY=LOW:HIGH   all values from LOW to HIGH equally likely; with :log, equally likely\n"
-        "                             in the logarithm; with :normal or :lognormal, a normal distribution\n"
-        "                             with 95 % of the values from LOW to HIGH\n"
-        "  --uncertain KEY=+-P%       range around the value of FILE, or of the design\n"
-        "  --choose hammer=NAME,NAME  hammer presets by name, or all of them: hammer=all; also rod=. For\n"
-        "                             drill strings, hammer= takes pistons, and bit= takes bits\n"
-        "A STATISTIC is mean, q01 to q99 (quantiles), min, max or nominal (with the inputs of FILE).\n"
-        "Without --aim, the objectives are max:efficiency@q05 and, if FILE has a blow frequency,\n"
-        "min:thrust@q95. Options that are not given are taken from the block `design` of FILE. -o DIR\n"
-        "writes designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with\n"
-        "--plots, design.png.";
+        "Solves every design (every combination of the --choose values) with the same samples of "
+        "the\nuncertain inputs. Prints the best design over all samples (best for uncertain rock) and "
+        "the\nbest with the inputs of FILE (best for the values entered). The first --aim decides both. "
+        "Also\nprints which designs are equally good within the errors, which input to measure first, and "
+        "the\nworst case in the ranges. The first sentence warns if the recommended design exceeds "
+        "a\nstrength.\n  --uncertain KEY=LOW:HIGH   all values from LOW to HIGH equally likely; with :log, "
+        "equally likely\n                             on a logarithmic scale. With :normal or :lognormal, a "
+        "normal or\n                             lognormal distribution with 95 % of the values from LOW to "
+        "HIGH\n  --uncertain KEY=+-P%       P % to either side of the value in FILE, or of the --choose "
+        "value\n  --choose hammer=NAME,NAME  hammer presets by name, or hammer=all for all of them; rod= "
+        "works in the\n                             same way. For drill strings, hammer= takes pistons, and "
+        "bit= takes bits\nA STATISTIC is mean, q01 to q99 (quantiles), min, max or nominal (with the inputs "
+        "of FILE).\nWithout --aim, the objectives are max:efficiency@q05 and, if FILE has a blow "
+        "frequency,\nmin:thrust@q95. Options that are not given are taken from the block `design` of FILE. "
+        "-o DIR\nwrites designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, "
+        "with\n--plots, design.png.";
     static const Command command{
         .name = "design",
         .operands = "FILE",
@@ -164,7 +163,8 @@ const Command& designCommand() {
              {"keep-energy", "",
               "give every design the blow energy of FILE, by scaling its impulse or hammer velocity"},
              {"no-keep-energy", "",
-              "compare designs at their own blow energy, also if FILE sets keep_energy"},
+              "compare each design at its own blow energy, even if FILE sets keep_energy (the same energy "
+              "for all designs)"},
              {"samples", "N",
               "number of random samples for each design, rounded up to a power of two (default: 4096, for a "
               "drill string 1024)"},

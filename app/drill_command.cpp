@@ -140,15 +140,14 @@ const Command& drillCommand() {
         .summary = "simulate consecutive blows under a feed force: penetration rate, gaps, errors",
         .details =
             "Simulates consecutive blows. The residual waves and the motion of the machine on its damper "
-            "carry\n"
-            "over from one blow to the next; each blow meets new rock. Prints penetration and penetration "
-            "rate\n"
-            "with their errors, the share of blows that start with the bit on the rock, whether the motion\n"
-            "repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust, the feed\n"
-            "force. Penetrations are upper limits, because all rock under the bit is assumed to break.\n"
-            "--scan compares values of a parameter. Each value is simulated twice: starting at rest and\n"
-            "starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into\n"
-            "DIR, with --histories also histories.csv, with --plots also drilling.png.",
+            "carry\nover from one blow to the next; each blow meets new rock. Prints penetration and "
+            "penetration rate\nwith their errors, and the share of blows that start with the bit on the "
+            "rock. Also prints whether\nthe motion repeats, and where the energy goes. FILE needs "
+            "drill.blow_frequency and drill.thrust,\nthe feed force. Penetrations are upper limits, because "
+            "all rock under the bit is assumed to break.\n--scan compares values of a parameter. Each value "
+            "is simulated twice: starting at rest and\nstarting with a bouncing machine. -o DIR writes "
+            "scenario.yaml, summary.json and blows.csv into\nDIR, with --histories also histories.csv, with "
+            "--plots also drilling.png.",
         .options = scenarioOptions(
             {shortFor("drill.blows", "blows",
                       "number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)"),
@@ -169,15 +168,15 @@ const Command& drillCommand() {
              {"json", "", "print one JSON object instead of the table"},
              {"si", "", "print numbers in SI units (default)"},
              {"dimensionless", "",
-              "print numbers as multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help "
-              "glossary 2`)"},
+              "print dimensionless numbers: multiples of the scales d0, v0, I0, F0 and t0 of a blow "
+              "(`drillwave help glossary 2`)"},
              {"j", "N", "number of threads (default: all)"},
              {"work-limit", "N",
-              "refuse a computation of more than N steps, counted as time steps times section ends (default: "
-              "4e9)"},
+              "refuse a computation if its number of time steps times its number of section ends is above N "
+              "(default: 4e9)"},
              {"o", "FILE.csv|DIR",
-              "also write one row for each blow to FILE.csv, and the scenario and options to FILE.csv.yaml; "
-              "with DIR, write the files of a drilling run there; -o - prints the rows"},
+              "FILE.csv: also write one row per blow, with the settings in FILE.csv.yaml; DIR: write all "
+              "files of the run into DIR; -o - prints the rows"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()}),

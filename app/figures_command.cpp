@@ -99,19 +99,19 @@ const Command& figuresCommand() {
     static const Command command{
         .name = "figures",
         .operands = "-o DIR",
-        .summary = "reproduce the figures of the paper; compare each printed number with the exact one",
+        .summary =
+            "reproduce the figures of the paper on which the model is based; compare each number printed "
+            "there with the exact one",
         .details =
-            "Writes into DIR the data of Figs 3 to 8 of the paper as CSV, the figures as pictures, and\n"
-            "discrepancies.csv, which compares each number printed in the paper with the exact one. "
-            "index.html\n"
-            "shows all of them. The reference curves of the paper are written twice, because its plots and "
-            "its\n"
-            "text scale stiffness differently: with k0 = Z/(2T), as in the plots, and with k0 = Z/t0, as in "
-            "the\n"
-            "text. Z is the impedance of the rod, T the time of a wave along the rod, t0 the duration of "
-            "the\n"
-            "blow.",
-        .options = {{"o", "DIR", "folder to write into; -o - prints only discrepancies.csv"},
+            "Writes into DIR the data of Figs 3 to 8 of the paper on which the model is based, as CSV "
+            "and\nas pictures. discrepancies.csv compares each number printed in that paper with the exact "
+            "one.\nindex.html shows all of them. The reference curves are written twice, because the "
+            "paper\nscales stiffness in two ways: by k0 = Z/(2T) in its plots, by k0 = Z/t0 in its text. Z "
+            "is the\nimpedance of the rod, T the time that a wave takes along the rod, t0 the duration of "
+            "the\nblow.",
+        .options = {{"o", "DIR",
+                     "folder to write into; -o - prints only discrepancies.csv (printed and exact numbers of "
+                     "the paper)"},
                     {"plots", "png,svg,pdf", "formats of the figures (default: png,svg)"},
                     {"force", "", "overwrite existing files"},
                     decimalCommaSpec()},

@@ -20,20 +20,14 @@ constexpr const char* usageHeader =
     "       drillwave COMMAND ARGUMENTS  work without a window\n"
     "\nCommands:\n";
 constexpr const char* usageFooter =
-    "\n"
-    "drillwave help TOPIC prints the help of a command, as COMMAND --help and -h do. TOPIC can also be\n"
-    "a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of\n"
-    "the manual or a section of it (help theory 10). For any other word (help feed) it prints the\n"
-    "places of the manual that contain the word. drillwave version prints the version.\n"
-    "\n"
-    "Chapters: %1.\n"
-    "\n"
-    "Without a display, the window needs `-platform offscreen`. drillwave --reset-ui opens the window\n"
-    "with its default layout, page, units and choices. drillwave --language de opens it in German, only\n"
-    "this time (sv: Swedish, en: English). Commands also have --language; DRILLWAVE_LANGUAGE=de in the\n"
-    "environment sets it for all of them.\n"
-    "\n"
-    "Exit codes: %2.\n";
+    "\ndrillwave help TOPIC prints the help of a command, as COMMAND --help and -h do. TOPIC can also be\na "
+    "parameter (help bit_rock.gamma), an output (help cor) or an option (help --shard). It can be a\nchapter "
+    "of the manual, or a section of it (help theory 10). For any other word (help feed) it\nprints the "
+    "places of the manual that contain the word. drillwave version prints the version.\n\nChapters: "
+    "%1.\n\nWithout a display, the window needs `-platform offscreen`. drillwave --reset-ui opens the "
+    "window\nwith its default layout, page, units and choices. drillwave --language de opens it in German, "
+    "only\nthis time (sv: Swedish, en: English). Commands also have --language; DRILLWAVE_LANGUAGE=de in "
+    "the\nenvironment sets the language for all of them.\n\nExit codes: %2.\n";
 constexpr std::string_view optionsTitle = "Options:";
 constexpr std::string_view thisText = "print this help";
 constexpr std::string_view versionHelp = "print the version of the program";

@@ -12,16 +12,16 @@ namespace drillwave {
 
 /// Meanings of the exit codes, separated by commas; listed in §6 of the manual's chapter on commands.
 inline constexpr std::string_view exitCodesHelp =
-    "0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,\n"
-    "4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted";
+    "0 done, 1 internal error or out of memory, 2 wrong command line, 3 input cannot be read,\n4 output "
+    "cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted";
 
 /// Summary of the command `help`, and the description of its TOPIC.
 inline constexpr std::string_view helpSummary =
     "print the help of a command, parameter or output, or a chapter of the manual";
 inline constexpr std::string_view helpDetails =
-    "TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a\n"
-    "parameter (bit_rock.gamma), an output (cor), a symbol (e) or an option (--shard). For any other\n"
-    "word (feed, units, exit codes), the places of the manual that contain it are printed, the best\n"
+    "TOPIC is a command (run), an option (--shard), a parameter (bit_rock.gamma), an output (cor) or "
+    "a\nsymbol (e). It can also be a chapter of the manual (theory) or a section of it (theory 10). For\nany "
+    "other word (feed, units, exit codes), the places of the manual that contain it are printed,\nthe best "
     "first.";
 
 /// Summary of the command `version`.

@@ -106,21 +106,19 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing* drawing) 
 
 const Command& identifyCommand() {
     static constexpr std::string_view details =
-        "Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock, from the\n"
-        "waves that strain gauges record on the rod, or on the last rod of a string. Prints the values with\n"
-        "their 95 % intervals, what\n"
-        "limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law\n"
-        "file. --known KEY=+-TOL states how well the inputs are known:\n"
-        "  --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak\n"
-        "  --known gauge=+-2mm           distance of the gauges from the bit face\n"
-        "  --known rod.diameter=+-0.1mm  a size of the section with the gauge, or of a section between\n"
-        "                                gauge and bit\n"
-        "Records are read with the options of `signal`. -o DIR writes identified.yaml, posterior.csv\n"
-        "(random samples of the rock for design --draws), match.csv, force_penetration.csv, incident.csv,\n"
-        "identify.json and, for several records, records.csv. Exit code 0: stiffness or gamma is known.\n"
-        "Exit code 6: neither is known, or the record contradicts the model. The intervals can be too\n"
-        "narrow if the rock does not load along one straight line and unload along another (commands\n"
-        "§4.17).";
+        "Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock. Uses "
+        "the\nwaves recorded by strain gauges on the rod, or on the last rod of a string. Prints the "
+        "values\nwith their 95 % intervals, what limits their accuracy, and what to measure better. The rock "
+        "of\nFILE (bit_rock) is used only with --law file. --known KEY=+-TOL states how well the inputs "
+        "are\nknown:\n  --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the "
+        "peak\n  --known gauge=+-2mm           distance of the gauges from the bit face\n  --known "
+        "rod.diameter=+-0.1mm  a dimension of the section with the gauge, or of a section between\n          "
+        "                      gauge and bit\nRecords are read with the options of `signal`. -o DIR writes "
+        "identified.yaml, posterior.csv\n(random samples of the rock for design --draws), match.csv, "
+        "force_penetration.csv, incident.csv,\nidentify.json and, for several records, records.csv. Exit "
+        "code 0: stiffness or gamma is known.\nExit code 6: neither is known, or the record contradicts the "
+        "model. The intervals can be too\nnarrow if the loading or the unloading curve of the rock is not a "
+        "straight line (commands\n§4.17).";
     static const Command command{
         .name = "identify",
         .operands = "FILE",

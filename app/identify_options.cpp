@@ -75,22 +75,22 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"signals", "REC.csv …",
          "read these records of strain gauges; give several in their order along the hole", Times::repeated},
         {"gauge", "COLUMN@DISTANCE",
-         "column of a gauge and its distance from the bit face, once or twice; A+B@… takes the mean of two "
-         "gauges on opposite sides",
+         "column of a gauge and its distance from the bit face; give one or two gauges. A+B@… takes the mean "
+         "of two gauges on opposite sides",
          Times::repeated},
         {"law", "LAW",
-         "rock law to fit to the record: auto, bilinear or corner; file checks the law given in FILE without "
-         "a fit (default: auto)"},
+         "rock law to fit: bilinear (straight loading curve), corner (one corner in it) or auto (either); "
+         "file checks the law given in FILE without a fit (default: auto)"},
         {"known", "KEY=+-TOL",
-         "tolerance of an input that is known: KEY (gain, zero, gauge or a size) is within +-TOL of its "
-         "value with 95 % probability; see the description of the command",
+         "95 % tolerance of a known input: KEY (gain, zero, gauge or a dimension) is within +-TOL of its "
+         "value; see the description of the command",
          Times::list},
         {"backing", "KIND",
          "support behind the rock or specimen: rigid, or bar if the specimen is between two equal bars "
          "(default: rigid)"},
         {"check", "COLUMN@DISTANCE",
-         "predict the wave at a second gauge, DISTANCE behind the specimen on the bar there, and print the "
-         "error; needs --backing bar"},
+         "predict the wave at a gauge on the bar behind the specimen, DISTANCE away from the specimen, and "
+         "print the error; needs --backing bar"},
         {"dispersion", "KIND",
          "correction for the dispersion of waves between gauge and bit: fit (estimated from the record), bar "
          "(theory of a round bar) or none (default: fit)"},
@@ -100,7 +100,8 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"j", "N", "number of threads (default: all)"},
         {"json", "", "print one JSON object instead of the table"},
         {"o", "DIR",
-         "also write tables, random samples of the rock and the scenario with the identified rock into DIR"},
+         "also write tables, random samples of the rock, and the scenario with the rock that was found, into "
+         "DIR"},
         plotsOptionSpec(),
         {"force", "", "overwrite existing files"}};
     std::vector<OptionSpec> all = scenarioOptions();

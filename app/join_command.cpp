@@ -201,14 +201,11 @@ const Command& joinCommand() {
         .operands = "PART…",
         .summary = "combine the parts of a sweep, table or map that were solved with --shard",
         .details =
-            "Writes FILE and its record FILE.yaml as the command would have written them without --shard, "
-            "and\n"
-            "ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or "
-            "a\n"
-            "folder with all parts, in any order. All parts must come from the same run: same scenario, "
-            "varied\n"
-            "parameters, table of cases, build and number of parts. If a part is missing, given twice, from\n"
-            "another run or changed since it was written, the message names it, with exit code 5.",
+            "Writes FILE and its description FILE.yaml as one run without --shard would have written them, "
+            "with\nthe same exit code. A PART is a file of rows with PART.yaml beside it, or a folder with "
+            "all parts,\nin any order. All parts must come from the same run: same scenario, varied "
+            "parameters, table of\ncases, build and number of parts. If a part is missing, given twice, from "
+            "another run or changed\nsince it was written, the message names it; the exit code is 5.",
         .options = {{"o", "FILE", "write FILE and its description FILE.yaml; -o - prints the file instead"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 1,

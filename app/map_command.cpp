@@ -223,18 +223,18 @@ std::vector<OptionSpec> mapOptions() {
          {"level", "X", "find the contour on which the output has this value; may be repeated",
           OptionSpec::Times::repeated},
          {"si", "", "use SI units for the output and for the value of --level, which may then carry a unit"},
-         {"json", "", "print one JSON object, with the contours, instead of the summary"}});
+         {"json", "", "print the summary and the contours of the map as one JSON object"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "skip points whose blow needs more than N wave pieces in the exact solver (default: 1000000, "
-              "at most about 2 s per point)"},
+              "skip points for which the exact solver must split the waves into more than N pieces (default: "
+              "1000000, at most about 2 s per point)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
              {"o", "FILE.csv",
-              "also write the points of the map to FILE.csv, with its record FILE.csv.yaml, and the contours "
-              "to FILE_contours.csv; -o - prints the points instead of the summary"},
+              "also write the map to FILE.csv, its settings to FILE.csv.yaml and its contours to "
+              "FILE_contours.csv; -o - prints the points instead of the summary"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()})

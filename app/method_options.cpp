@@ -8,12 +8,12 @@
 namespace drillwave {
 
 std::vector<OptionSpec> methodOptionSpecs() {
-    return {{"method", "NAME",
-             "solution method: exact, lattice (time steps) or closed_form (default: exact; for a result "
-             "file, its own method)"},
-            {"segments", "N",
-             "number of segments into which the lattice method divides the rod (default: 10000, as in the "
-             "paper)"}};
+    return {
+        {"method", "NAME",
+         "solution method: exact, lattice (time steps) or closed_form (default: exact; for a result "
+         "file, its own method)"},
+        {"segments", "N",
+         "number of segments into which the lattice method (time steps) divides the rod (default: 10000)"}};
 }
 
 MethodChoice methodChoice(const Arguments& arguments, const std::optional<MethodChoice>& ofResult) {

@@ -170,7 +170,7 @@ const Command& reportCommand() {
              {"date", "TEXT", "date printed in the report, any text (default: none)"},
              reportStudiesSpec(),
              {withoutPlots, "", "write no plots and no PDF; a display is then not needed"},
-             {"j", "N", "number of threads for the studies of --with (default: all)"},
+             {"j", "N", "number of processor threads for the studies added by --with (default: all)"},
              workLimitSpec(),
              {"o", "DIR|FILE.html|FILE.pdf", "file or folder to write the report to; -o - prints the HTML"},
              {"force", "", "overwrite existing files"}}),

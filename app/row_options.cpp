@@ -122,8 +122,8 @@ Message couldNotBeSolved(const std::string& path, const Message& reason) {
 
 OptionSpec workLimitSpec() {
     return {"work-limit", "N",
-            "do not solve a blow that needs more than N wave pieces in the exact solver (default: 1000000, a "
-            "few seconds at most)"};
+            "do not solve a blow whose waves the exact solver must split into more than N pieces (default: "
+            "1000000, a few seconds at most)"};
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {
@@ -134,14 +134,14 @@ std::vector<OptionSpec> rowOptionSpecs() {
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "leave the outputs of a row empty if its blow needs more than N wave pieces in the exact "
-              "solver (default: 1000000, at most about 2 s per row)"},
+              "leave outputs empty if the exact solver must split the waves into more than N pieces "
+              "(default: 1000000, at most about 2 s per row)"},
              {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
              {"o", "FILE.csv",
-              "write the rows to FILE.csv, with their record FILE.csv.yaml beside it; -o - prints the rows "
-              "(default)"},
+              "write the rows to FILE.csv, and the settings of the run to FILE.csv.yaml; -o - prints the "
+              "rows (default)"},
              {"force", "", "overwrite existing files"},
              decimalCommaSpec()})
         options.push_back(option);
@@ -150,8 +150,8 @@ std::vector<OptionSpec> rowOptionSpecs() {
 
 OptionSpec shardOptionSpec() {
     return {"shard", "I/N",
-            "solve only part I of N parts of the rows; `drillwave join` combines the parts; only part 1 has "
-            "a header"};
+            "split the rows into N parts and solve only part I; `drillwave join` combines the parts; only "
+            "part 1 has a header"};
 }
 
 OptionSpec resumeOptionSpec() {

@@ -193,7 +193,7 @@ std::vector<OptionSpec> runOptions() {
           OptionSpec{"dimensionless", "", "with -o, write CSV columns in dimensionless form"},
           OptionSpec{"record", "COLUMN@DISTANCE",
                      "with -o, also write the strain that a gauge at this distance from the bit face would "
-                     "record; COLUMN names it",
+                     "record, in a column named COLUMN",
                      OptionSpec::Times::repeated},
           OptionSpec{"noise", "SHARE",
                      "white noise to add to --record, in % of its largest strain (default: 0%)"},
@@ -207,13 +207,13 @@ std::vector<OptionSpec> runOptions() {
 
 const Command& runCommand() {
     static const std::string details =
-        "-o DIR writes scenario.yaml, summary.json, histories.csv and events.csv; each of them contains the\n"
-        "scenario, so that `drillwave run` can run it again. With --plots, it also writes the plots blow.*,\n"
-        "rock.*, wave_picture.* and rod.*. For drill strings, the histories are taken at the middle of the\n"
-        "longest section. To rehearse a measurement for `identify`, --record near@1.13m --record far@2.93m\n"
-        "--noise 1% also writes record.csv, the strain that two gauges would record in 1e6 samples per\n"
-        "second. --record top+bottom@1.13m records two gauges on opposite sides of the rod, each with its\n"
-        "own noise.";
+        "-o DIR writes scenario.yaml, summary.json, histories.csv and events.csv; each of them contains "
+        "the\nscenario, so that `drillwave run` can run it again. With --plots, it also writes the plots "
+        "blow.*,\nrock.*, wave_picture.* and rod.*. For drill strings, the histories are taken at the middle "
+        "of the\nlongest section. To rehearse a measurement for `identify`, add --record near@1.13m "
+        "--record\nfar@2.93m --noise 1%. This also writes record.csv, the strain that two gauges would "
+        "record in 1e6\nsamples per second. --record top+bottom@1.13m records two gauges on opposite sides "
+        "of the rod,\neach with its own noise.";
     static const Command command{
         .name = "run",
         .operands = "FILE",

@@ -97,10 +97,11 @@ ExitCode runSignal(const Arguments& arguments, const Drawing*) {
 
 const Command& signalCommand() {
     static constexpr std::string_view details =
-        "Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns\n"
-        "and units. If the table does not state something, the last lines ask for it, and the exit code is\n"
-        "5. Several RECORDs are read as one series and give one row each. Commands that take a scenario can\n"
-        "use such a record as the blow, with --signal FILE and the same options.";
+        "Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, "
+        "columns\nand units. If the table does not state something that is needed, the last lines printed "
+        "ask for\nit, and the exit code is 5. Several RECORDs are read as one series and give one row each. "
+        "Commands\nthat take a scenario can use such a record as the blow, with --signal FILE and the same "
+        "options.";
     static const Command command{
         .name = "signal",
         .operands = "RECORD…",
@@ -110,7 +111,8 @@ const Command& signalCommand() {
             [] {
                 std::vector<OptionSpec> specs = signalOptionSpecs();
                 specs.push_back({"save-recorder", "NAME",
-                                 "save these options under this name, for later use with --recorder NAME"});
+                                 "save the options for reading the record under this name; --recorder NAME "
+                                 "uses them again"});
                 specs.push_back({"json", "", "print JSON; for several FILEs, an array"});
                 specs.push_back(
                     {"o", "FILE.csv", "write the signal as read, with the columns time [us] and force [kN]"});

@@ -21,7 +21,8 @@ namespace drillwave {
 namespace {
 
 constexpr OptionSpec recorderOption{
-    "recorder", "NAME", "read with the options that `drillwave signal --save-recorder NAME` has saved"};
+    "recorder", "NAME",
+    "read the record with the options that `drillwave signal --save-recorder NAME` has saved"};
 
 /// Most points of a tabulated blow.
 constexpr std::size_t mostPoints = 10'000;

@@ -100,12 +100,12 @@ std::vector<OptionSpec> sweepOptions() {
 
 const Command& sweepCommand() {
     static constexpr std::string_view details =
-        "Solves one blow for every combination of the --vary values. Each combination is one row; the\n"
-        "parameter given last varies fastest. Values carry units where the parameter has one: --vary\n"
-        "rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n"
-        "FILE.csv.yaml beside FILE.csv records version, command, varied parameters and scenario. --plots\n"
-        "can draw one or two varied parameters: the one with more values is the horizontal axis, and each\n"
-        "value of the other one gives a curve.";
+        "Solves one blow for every combination of the --vary values. Each combination is one row; "
+        "the\nparameter given last varies fastest. Values carry units where the parameter has one: "
+        "--vary\nrod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\nFILE.csv.yaml beside FILE.csv "
+        "records version, command, varied parameters and scenario. --plots\ncan draw one or two varied "
+        "parameters. The parameter with more values is the horizontal axis; each\nvalue of the other "
+        "parameter gives a curve.";
     static const Command command{
         .name = "sweep",
         .operands = "FILE",

@@ -255,7 +255,7 @@ constexpr auto drillTable = std::to_array<Output>({
     row<&D::contactShare>(
         "drill_contact_share",
         "contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from "
-        "it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)",
+        "it. d0 = 2 I0/Z, with the impulse I0 of a blow and the impedance Z of the rod",
         Measure::number, "contact share: blows that start with the bit on the rock"),
     row<&D::contacts>("drill_contacts", "mean number of contacts between bit and rock in a blow",
                       Measure::number, "contacts of a blow"),

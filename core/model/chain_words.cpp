@@ -37,8 +37,8 @@ const ChainWords& chainWords(const Scenario& scenario) {
                                     "momentum of the string over time."),
         .stressCaption = translatable("The largest tension and compression along hammer (below 0) and string "
                                       "during the blow, with the strengths of the sections."),
-        .place = translatable("%1 from the shank"),
-        .peakPlace = translatable("%1 from the shank, %2"),
+        .place = translatable("%1 from the struck end"),
+        .peakPlace = translatable("%1 from the struck end, %2"),
         .beyondEnd = translatable("place x: must be at most %1, the length of the string")};
     static constexpr ChainWords ofForcedString = [] {
         ChainWords words = ofString;

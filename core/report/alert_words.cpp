@@ -47,9 +47,9 @@ Message implausible(const Alert& alert, const ReadingStyle& style) {
 Message longPulse(const Alert& alert, const ReadingStyle& style) {
     const double percent =
         static_cast<double>(static_cast<int>(alert.argument("late_impulse").value * 1000)) / 10;
-    return {translatable("The first reflection returns to the hammer before the last %1 % of the blow. A "
-                         "real hammer would feel it, but here the hammer force is prescribed. To include it, "
-                         "use a drill string with a hammer."),
+    return {translatable("When the first reflection returns to the hammer, %1 % of the impulse of the blow "
+                         "is still to come. A real hammer would feel the reflection, but here the hammer "
+                         "force is prescribed. To include this effect, use a drill string with a hammer."),
             {style.number(percent, 4)}};
 }
 
@@ -75,8 +75,8 @@ Message defaultHammer(const Alert& alert, const ReadingStyle& style) {
 Message pistonImpedance(const Alert& alert) {
     return alert.argument("ratio").value < 1
                ? translatable(
-                     "The impedance of the hammer is below that of the rod: the hammer bounces back after "
-                     "one step, and the rod receives more than its momentum.")
+                     "The impedance of the hammer is below that of the rod. The hammer therefore bounces "
+                     "back after one force step, and the rod receives more than the momentum of the hammer.")
                : translatable(
                      "The impedance of the hammer is above that of the rod: the force falls in ever smaller "
                      "steps. Reflections that return to the hammer are neglected here.");
@@ -105,22 +105,24 @@ Message dampingOfWaves(const Alert& alert, const ReadingStyle& style) {
     if (!alert.has("wave_loss")) return translatable("undamped");
     const double loss = alert.argument("wave_loss").value;
     const double left = std::pow(1 - loss, alert.argument("round_trips").value);
-    return {translatable("with %1 % left at a wave loss of %2 %"),
+    return {translatable("%1 % of the wave is left, with a loss of %2 % per round trip"),
             {style.number(100 * left, 2), style.number(100 * loss, 3)}};
 }
 
 Message residualWaves(const Alert& alert, const ReadingStyle& style) {
     const std::string roundTrips = fourDigits(alert, "round_trips", style);
     if (!alert.has("whole"))
-        return {translatable("The waves of a blow make only %1 round trips in the string before the next "
-                             "blow and still act on it (%3). Penetration may change by up to 10 % with blow "
-                             "frequency and string length; to compute it, use %2."),
-                {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
-    return {translatable("The waves of a blow make only %1 round trips in the string before the next blow "
-                         "and still act on it (%4). Because %1 is close to the whole number %2, they arrive "
-                         "together with the next blow. Penetration may change by up to 10 %; to compute it, "
-                         "use %3."),
-            {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
+        return {
+            translatable("The waves of a blow make only %1 round trips in the string before the next blow, "
+                         "and they still act on that blow (%3). This may change the penetration by up to 10 "
+                         "%, depending on blow frequency and string length; to compute it, use %2."),
+            {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
+    return {
+        translatable(
+            "The waves of a blow make only %1 round trips in the string before the next blow, and they still "
+            "act on that blow (%4). Because %1 is close to the whole number %2, they arrive at the same time "
+            "as the next blow. This may change the penetration by up to 10 %; to compute it, use %3."),
+        {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
 }
 
 Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
@@ -139,8 +141,8 @@ Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
                       {bound(alert, "efficiency_error", style)});
     return {translatable("The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
             {cell, inUnit(alert, "time", style), off,
-             isShared ? translatable("Round the lengths to multiples of a common length, such as 50 mm: "
-                                     "longer time steps are then exact.")
+             isShared ? translatable("Round the section lengths to multiples of a common length, such as 50 "
+                                     "mm. A longer time step then fits all sections exactly.")
                       : translatable("Enter all lengths in whole millimetres, with the same steel in all "
                                      "sections: the time step is then exact.")}};
 }
@@ -160,16 +162,16 @@ Message closedFormObstacle(const Alert& alert, const ReadingStyle& style) {
 }
 
 Message closedFormInvalid(const Alert& alert, const ReadingStyle& style) {
-    return {translatable("The closed form for elastic rock does not apply, because %1. Its coefficient of "
-                         "restitution, e = %2, has an error of %3."),
+    return {translatable("The closed-form solution for elastic rock does not apply, because %1. Its "
+                         "coefficient of restitution, e = %2, has an error of %3."),
             {closedFormObstacle(alert, style), fourDigits(alert, "closed_form_cor", style),
              fourDigits(alert, "difference", style)}};
 }
 
 Message inputDecides(const Alert& alert, const ReadingStyle& style) {
-    return {translatable("The bit chatters on the rock (%1 contacts), so the coefficient of restitution e "
-                         "depends on the last digits of the input and can be known only to within %2. A "
-                         "longer rod, a shorter blow or a softer rock reduces the chatter."),
+    return {translatable("The bit chatters on the rock (%1 contacts). Tiny changes of the input then change "
+                         "the coefficient of restitution e, which can be known only to within %2. A longer "
+                         "rod, a shorter blow or a softer rock reduces the chatter."),
             {whole(alert, "contacts"), bound(alert, "cor_error", style)}};
 }
 
@@ -188,16 +190,16 @@ constexpr OverloadWords yieldWords{
         "The rod would yield: during the blow the stress reaches %1, at %2 from the hammer and %3 after "
         "the start of the blow. Its yield strength is %4."),
     translatable(
-        "The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at "
-        "%2 from the hammer and %3 after the start of the blow. Its yield strength is %4.")};
+        "The rod would yield from residual waves after the blow, which are not damped here. The stress "
+        "reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.")};
 constexpr OverloadWords fatigueWords{
-    translatable("Every blow loads a section above its fatigue strength of %5: the stress in %1 reaches %2, "
-                 "at %3 from its rear end and %4 after the start of the blow."),
-    translatable("Every blow loads the rod above its fatigue strength of %4: during the blow the stress "
+    translatable("Every blow loads %1 above its fatigue strength of %5. The stress reaches %2, at %3 from "
+                 "the rear end of this section and %4 after the start of the blow."),
+    translatable("Every blow loads the rod above its fatigue strength of %4. During the blow, the stress "
                  "reaches %1, at %2 from the hammer and %3 after the start of the blow."),
     translatable(
-        "Every blow loads the rod above its fatigue strength of %4: after the blow the residual waves, "
-        "undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow.")};
+        "Every blow loads the rod above its fatigue strength of %4, by residual waves that are not damped "
+        "here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow.")};
 
 Message overload(const Alert& alert, const OverloadWords& words, const ReadingStyle& style) {
     const bool isCompression = alert.has("compression");
@@ -227,9 +229,8 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
             return pistonImpedance(alert);
         case AlertCode::gapWithoutEffect:
             return translatable(
-                "The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only "
-                "shifts the time of "
-                "contact and has no other effect.");
+                "The rod moves as a rigid body until it meets the rock. The gap between bit and rock "
+                "therefore only shifts the time of contact and has no other effect.");
         case AlertCode::thrustBelowNeeded:
             return thrustBelowNeeded(alert, style);
         case AlertCode::superRebound:
@@ -257,10 +258,10 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::lengthsRounded:
             return lengthsRounded(alert, style);
         case AlertCode::wavesThinned:
-            return {
-                translatable("This blow has too many waves to keep. Plots of waves and forces show a coarser "
-                             "model of the string, whose COR and efficiency differ by at most %1."),
-                {bound(alert, "difference", style)}};
+            return {translatable("This blow has too many waves to store them all. Plots of waves and forces "
+                                 "therefore show a coarser model of the string. Its coefficient of "
+                                 "restitution and efficiency differ by at most %1."),
+                    {bound(alert, "difference", style)}};
         case AlertCode::blowNotOver:
             return {
                 alert.has("forced")
@@ -272,18 +273,19 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                 {inUnit(alert, "time", style)}};
         case AlertCode::stressesLeftOut:
             return translatable(
-                "The largest stresses of the sections would take more work than is permitted, so they were "
-                "not computed and no strength was checked. Try a shorter end_time.");
+                "The largest stresses of the sections were not computed, because this would exceed the limit "
+                "of computing work. No strength was checked. Try a shorter end time (end_time).");
         case AlertCode::cornersWithoutEffect:
-            return {
-                translatable("The force on the rock reaches only %1, below the first corner of the loading "
-                             "curve at %2: the rock acts as if it loaded along one straight line."),
-                {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
-        case AlertCode::pushedBack:
             return {translatable(
-                        "The feed force of %1 is below the mean force of the blows, %2, or too close to it, "
-                        "so the gap between bit and rock grows from blow to blow. Increase the feed force."),
-                    {inUnit(alert, "force", style), inUnit(alert, "needed", style)}};
+                        "The force on the rock reaches only %1, below the first corner of the loading curve "
+                        "at %2. The rock therefore acts as if its loading curve were one straight line."),
+                    {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
+        case AlertCode::pushedBack:
+            return {
+                translatable(
+                    "The feed force of %1 is below the mean force of the blows, %2, or too close to it. The "
+                    "gap between bit and rock therefore grows from blow to blow. Increase the feed force."),
+                {inUnit(alert, "force", style), inUnit(alert, "needed", style)}};
         case AlertCode::noWaveLoss:
             return translatable(
                 "Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round "
@@ -295,9 +297,9 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                         "piston back by then, switch off “may strike again” (restrike: false in the file)."),
                     {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
-            return {translatable("At impact, the shank is up to %1 from its mean position in the machine, so "
-                                 "stroke and blow energy of a real machine would differ. If the damper has "
-                                 "no spring, add one: a dashpot alone lets the shank drift."),
+            return {translatable("At impact, the shank is up to %1 from its mean position in the machine. "
+                                 "Stroke and blow energy of a real machine would therefore differ. If the "
+                                 "damper has no spring, add one: a dashpot alone lets the shank drift."),
                     {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
             return {
@@ -305,8 +307,8 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                 {inUnit(alert, "used", style)}};
         case AlertCode::notSettled:
             return translatable(
-                "The means of the first and second half of the blows differ by more than three times their "
-                "error. Increase the number of blows, or of transient blows.");
+                "The motion may not be steady yet: means of the first and second half of the blows differ by "
+                "more than three times their error. Increase the number of blows, or of transient blows.");
         case AlertCode::coexistingMotions:
             return translatable(
                 "Two steady motions are possible. The start or the time step decides which one is computed; "
@@ -316,9 +318,9 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                 "The motion does not repeat from blow to blow: use the means, not the values of single "
                 "blows.");
         case AlertCode::energyUnbalanced:
-            return {translatable(
-                        "The energy balance of all blows has an error of %1 %, because the time step is too "
-                        "long for such short contacts. A shorter time step reduces the error in proportion."),
+            return {translatable("The energy balance of all blows has an error of %1 %. The time step is too "
+                                 "long for the short contacts between bit and rock. A shorter time step "
+                                 "reduces the error in proportion."),
                     {style.number(100 * alert.argument("share").value, 2)}};
         case AlertCode::damperAssumed:
             return translatable(

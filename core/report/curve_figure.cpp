@@ -328,7 +328,7 @@ std::vector<Message> curveSentences(const ComparedCurve& study, std::optional<do
     for (std::size_t i = 1; i < parts.size(); ++i) details = joined(std::move(details), "%1 · %2", parts[i]);
     if (!details.isEmpty()) sentences.push_back(std::move(details));
     if (!question.goal)
-        sentences.push_back({translatable("Enter a goal to find where %1 reaches it."),
+        sentences.push_back({translatable("Enter a goal for %1 to find where it is reached."),
                              {outputMessage(*question.columns.front().output)}});
     return sentences;
 }

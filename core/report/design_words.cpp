@@ -48,7 +48,7 @@ void addUncertain(const DesignReport& report, const ReadingStyle& style, std::ve
         remarks.push_back(
             {false,
              "points_uncertain",
-             {translatable("In up to %1 % of the samples of a design, the bit chatters on the rock; the "
+             {translatable("In up to %1 % of the samples of a design, the bit chatters on the rock. The "
                            "numerical error of these blows is larger than the error of the statistics."),
               {style.number(share * 100, 3)}}});
 }
@@ -291,7 +291,7 @@ Message designWarning(const DesignReport& report, const DesignNames& names) {
     if (alerts.size() > 1)
         warning = {"%1 %2",
                    {std::move(warning),
-                    {translatable("Besides this warning, the design has %1 more."),
+                    {translatable("Number of other warnings for this design: %1."),
                      {std::to_string(alerts.size() - 1)}}}};
     return warning;
 }

@@ -185,7 +185,7 @@ std::pair<StudyPanel, StudyPanel> scanPanels(const ShownScan& shown) {
               .isFromZero = true},
         .series = {drawn(curves.rate, translatable("penetration rate"), SeriesRole::result,
                          SeriesPoints::joined),
-                   drawn(curves.bouncing, translatable("if the rod bounces"), SeriesRole::result,
+                   drawn(curves.bouncing, translatable("rod bouncing at the start"), SeriesRole::result,
                          SeriesPoints::apart),
                    drawn(curves.contact, translatable("blows in contact"), SeriesRole::second),
                    drawn(rateOf(shown.constantForce), translatable("constant force"), SeriesRole::third),
@@ -212,9 +212,10 @@ std::pair<StudyPanel, StudyPanel> scanPanels(const ShownScan& shown) {
 StudyFigure drillingFigure(const ShownSequence* sequence, const ShownScan* scan, bool isDetailed) {
     StudyFigure figure{.paperHeight = sequence ? 130 : 120};
     if (scan)
-        figure.caption.push_back({scan->isOld ? translatable("scan of an earlier scenario: scan again")
-                                              : translatable("strip: 95 % error of the penetration rate")});
-    if (sequence) figure.caption.push_back({translatable("shaded: blows that are averaged")});
+        figure.caption.push_back(
+            {scan->isOld ? translatable("scan of an earlier scenario: scan again")
+                         : translatable("strip: 95 % confidence interval of the penetration rate")});
+    if (sequence) figure.caption.push_back({translatable("mean: over the shaded blows")});
     if (sequence && isDetailed)
         figure.caption.push_back({translatable("gap and next gap: a projection from more dimensions")});
     std::optional<std::pair<StudyPanel, StudyPanel>> scanned;

@@ -61,9 +61,9 @@ class EstimateMessage {
                         ? translatable(
                               "A feed force of %1 is enough for a single blow at any gap. It even returns an "
                               "undamped rod to the rock before the next blow (this requires %2).")
-                        : translatable("A feed force of %1 is enough for this blow and for rigid rock, and "
-                                       "even returns an undamped rod to the rock in time, which requires %2; "
-                                       "other gaps between bit and rock were not examined."),
+                        : translatable("A feed force of %1 is enough for this blow and for rigid rock. It "
+                                       "even returns an undamped rod to the rock before the next blow (this "
+                                       "requires %2). Other gaps between bit and rock were not examined."),
                     {installed(largest.thrustUndamped), required(largest.thrustUndamped)}};
         }
         return {};
@@ -106,8 +106,8 @@ class EstimateMessage {
                         : translatable("Raise the feed force by %1 to have enough for rigid rock."),
                     {more(largest.thrust)}};
             case FeedState::requiredMet:
-                return {translatable("The installed feed force is enough for single blows. From %1 on, "
-                                     "even an undamped rod would return to the rock before each next blow."),
+                return {translatable("A feed force of at least %1 would even return an undamped rod to the "
+                                     "rock before each next blow."),
                         {least(largest.thrustUndamped)}};
             case FeedState::returnMet:
                 return translatable("The installed feed force is enough for single blows.");
@@ -161,7 +161,7 @@ class EstimateMessage {
                 ? translatable("A feed force of %1 is enough for this blow (%2 required), but not for rigid "
                                "rock (%3 required).")
                 : translatable("A feed force of %1 is enough for this blow (%2 required), but not for rigid "
-                               "rock (%3 required); other gaps between bit and rock were not examined."),
+                               "rock (%3 required). Other gaps between bit and rock were not examined."),
             {installed(largest), required(ofThisBlow), required(largest)}};
     }
 
@@ -207,7 +207,8 @@ Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEs
     if (estimate) return EstimateMessage(*estimate, style).message();
     if (!hasUnits(scenario))
         return translatable(
-            "The feed cannot be judged: the scenario has dimensionless groups, not physical units.");
+            "The feed cannot be judged: the scenario has only dimensionless groups. Enter it in physical "
+            "units.");
     return scenario.drill.thrust
                ? translatable("The feed cannot be judged: give a blow frequency.")
                : translatable("The feed cannot be judged: give a blow frequency and a feed force.");
@@ -218,7 +219,8 @@ std::vector<Message> estimateSentences(const Scenario& scenario, const std::opti
     std::vector<Message> sentences{requiredFeedMessage(scenario, estimate, style)};
     if (estimate)
         sentences.push_back(
-            {translatable("This is an estimate from single blows; %1 solves consecutive blows."),
+            {translatable(
+                 "The required feed force is estimated from single blows; %1 solves consecutive blows."),
              {drillingWords(style)}});
     return sentences;
 }

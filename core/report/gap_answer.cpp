@@ -175,21 +175,17 @@ const Study& gapStudy() {
         .plotTitle = translatable("Result over the gap, and how its values are distributed"),
         .summary = "restitution, forces and efficiency for all gaps between bit and rock",
         .details =
-            "Prints how the results depend on the gap between bit and rock at the start of the blow. At the "
-            "rig\n"
-            "nobody controls this gap, and the results repeat with every d0 = 2 I0/Z of it (I0: impulse of "
-            "the\n"
-            "blow, Z: impedance of the rod). So all gaps of one such period count as equally likely. Prints\n"
-            "extremes with their gaps, mean, 5, 50 and 95 % quantiles, and the share of gaps with a "
-            "coefficient\n"
-            "of restitution e above 1. --gap-deviation adds the same for a normally distributed gap; gaps "
-            "below\n"
-            "zero are cut off.",
+            "Prints how the results depend on the gap between bit and rock at the start of the blow. "
+            "Nobody\ncontrols this gap at the rig. The results repeat each time the gap grows by d0 = 2 I0/Z "
+            "(I0:\nimpulse of the blow, Z: impedance of the rod). All gaps within d0 therefore count as "
+            "equally\nlikely. Prints minima and maxima with their gaps, mean, and 5, 50 and 95 % quantiles. "
+            "Also prints\nthe share of gaps with a coefficient of restitution e above 1. --gap-deviation "
+            "adds the same for a\nnormally distributed gap, cut off below zero.",
         .csvHelp = "also write the results at each gap to FILE.csv; -o - prints them instead of the table",
         .options = {{.key = "gap-mean",
                      .value = "GAP",
-                     .help = "mean of a normally distributed gap, such as 0.5mm; without physical units in "
-                             "multiples of d0, such as 0.2 (default: the gap of FILE)",
+                     .help = "mean of a normally distributed gap, such as 0.5mm (default: the gap of FILE); "
+                             "if FILE has no physical units, a multiple of d0, such as 0.2",
                      .control = mean,
                      .label = translatable("mean"),
                      .name = translatable("mean of the gap"),

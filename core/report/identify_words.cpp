@@ -33,7 +33,7 @@ Message rejectionReason(const RecordAnswer& answer) {
     const MatchFigures& match = answer.match;
     if (answer.has("arrival_off") || answer.has("distance_off"))
         return translatable(
-            "The reflection does not arrive at the time computed from the scenario file: check the distance "
+            "The reflection does not arrive at the time computed from the scenario file. Check the distance "
             "of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a "
             "section.");
     const bool hasTwoGauges = answer.hasTwoGauges();
@@ -41,9 +41,9 @@ Message rejectionReason(const RecordAnswer& answer) {
         return hasTwoGauges
                    ? translatable(
                          "The distance between the gauges, or a section between gauge and bit, differs from "
-                         "the scenario file: measure this distance, the bit head and the rod.")
+                         "the scenario file. Measure this distance, the bit head and the rod.")
                    : translatable(
-                         "A section between gauge and bit differs from the scenario file: measure the bit "
+                         "A section between gauge and bit differs from the scenario file. Measure the bit "
                          "head and the rod, and check whether the file lacks a section.");
     if (match.quiet > 0.02)
         return translatable(
@@ -51,19 +51,19 @@ Message rejectionReason(const RecordAnswer& answer) {
             "gauges on opposite sides of the rod), the blow before, or couplings.");
     if (answer.has("zero_line"))
         return translatable(
-            "The zero line of the record drifts by more than the tolerance of the amplifier: check its zero, "
-            "its drift and whether it is AC or DC coupled.");
+            "The zero line of the record drifts by more than the tolerance of the amplifier. Check the zero "
+            "and the drift of the amplifier, and whether it is AC or DC coupled.");
     if (answer.has("not_quiet_before"))
         return translatable(
             "The rod still rings from an earlier blow when this blow starts: measure a single blow.");
     return hasTwoGauges
                ? translatable(
-                     "Either the rock follows another law, or the scenario file has a wrong section between "
-                     "gauge and bit or a wrong distance between the gauges: check the bit head and this "
+                     "Either the rock follows another law, or the scenario file is wrong about a section "
+                     "between gauge and bit or the distance between the gauges. Check the bit head and this "
                      "distance first, then see where the measured and the modelled wave differ.")
                : translatable(
                      "Either the rock follows another law, or the sections between gauge and bit differ from "
-                     "the scenario file: check the bit head first, then see where the measured and the "
+                     "the scenario file. Check the bit head first, then see where the measured and the "
                      "modelled wave differ.");
 }
 

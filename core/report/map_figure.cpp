@@ -17,7 +17,8 @@ namespace drillwave {
 namespace {
 
 constexpr int shownDigits = 5, levelDigits = 4;
-constexpr double sectionShare = 0.28;  // width of a section, relative to the map
+constexpr double sectionShare = 0.28;        // width of a section, relative to the map
+constexpr double sectionHeightShare = 0.42;  // its axis title must fit
 
 /// Level of an output on whose two sides the colours differ.
 std::optional<double> decisiveLevel(const Output& output) {
@@ -116,7 +117,7 @@ std::vector<FigureText> summaryOf(const MapReport& report, const MapOutput& outp
     for (const Contour& contour : report.contours)
         if (contour.lines.empty())
             parts.push_back(
-                {translatable("no contour at %1"), {valueOf(output, contour.level, levelDigits)}});
+                {translatable("%1 is not reached"), {valueOf(output, contour.level, levelDigits)}});
     if (grid.failed() > 0)
         parts.push_back({translatable("%1 of %2 points not solved (hatched)"),
                          {count(grid.failed()), count(grid.size())}});
@@ -202,7 +203,7 @@ StudyFigure mapFigure(const std::shared_ptr<const MapReport>& report, const MapS
         alongY.series[0].y.push_back(grid.ys()[i]);
     }
     StudyPanel alongX{.row = 1,
-                      .height = sectionShare,
+                      .height = sectionHeightShare,
                       .sharesX = true,
                       .x = map.x,
                       .y = values,

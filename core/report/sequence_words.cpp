@@ -63,14 +63,17 @@ Message remedyWords(UnresolvedReason reason, const ReadingStyle& style) {
                 {field("drill.wave_loss")}};
         case UnresolvedReason::irregular:
         case UnresolvedReason::fewBlows:
-            return {style.isPrinted()
-                        ? translatable("Enter a larger number under “%1” to reduce the error.")
-                        : translatable("Increase the number of blows (%1) to reduce the error."),
-                    {field("drill.blows")}};
+            return {
+                style.isPrinted()
+                    ? translatable(
+                          "Enter a larger number under “%1” to reduce the error of the mean penetration.")
+                    : translatable(
+                          "Increase the number of blows (%1) to reduce the error of the mean penetration."),
+                {field("drill.blows")}};
         case UnresolvedReason::lengthsRounded:
             return translatable(
-                "Use shorter time steps, or lengths that are multiples of a common length, to reduce the "
-                "error.");
+                "To reduce the error, use shorter time steps, or make the section lengths multiples of a "
+                "common length.");
     }
     return {};
 }
@@ -128,8 +131,10 @@ Message equalSentence(const DrillingScan& scan, const ScanComparison& comparison
     const auto value = [&](std::size_t place) {
         return valueText(scan.axis, comparison.entries[place].at, valueDigitsOfScan, style);
     };
-    return {translatable("All values from %1 to %2 give the same penetration rate within the errors."),
-            {value(first), value(last)}};
+    return {
+        translatable(
+            "All values from %1 to %2 give the same penetration rate within the errors of the computation."),
+        {value(first), value(last)}};
 }
 
 }  // namespace
@@ -168,8 +173,9 @@ std::vector<Message> sequenceSentences(const DrillingResult& result, const Readi
     if (!sequence) return {};
     std::vector<Message> sentences{penetrationSentence(*sequence, style)};
     if (sequence->unresolved) {
-        sentences.push_back({translatable("This mean is inaccurate: its error is above %1, because %2."),
-                             {percentText(resolvedShare, style), reasonWords(*sequence->unresolved)}});
+        sentences.push_back(
+            {translatable("The mean penetration per blow is inaccurate: its error is above %1, because %2."),
+             {percentText(resolvedShare, style), reasonWords(*sequence->unresolved)}});
         sentences.push_back(remedyWords(*sequence->unresolved, style));
     }
     sentences.push_back(
@@ -201,9 +207,9 @@ std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional
                               reasonWords(*unresolved.unresolved)}});
         sentences.push_back(remedyWords(*unresolved.unresolved, style));
     } else if (comparison->entries.size() > 1 && !comparison->isAnyLower()) {
-        sentences.push_back(
-            {translatable("All values of the scan give the same penetration rate within the errors, %1."),
-             {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
+        sentences.push_back({translatable("All values of the scan give the same penetration rate, %1, within "
+                                          "the errors of the computation."),
+                             {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
     } else {
         const std::string rate = penetrationRateText(comparison->best().sequence.penetrationRate, style);
         sentences.push_back(

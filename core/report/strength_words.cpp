@@ -16,14 +16,14 @@ namespace {
 const char* firstPattern(const StrengthUse& use) {
     if (use.of == StrengthUse::Strength::fatigue)
         return translatable(
-            "The most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength "
-            "of %4.");
+            "During the blow, the most heavily loaded section (%1) has a tension of %2, which is %3 of its "
+            "fatigue strength of %4.");
     return use.isTension ? translatable(
-                               "The most heavily loaded section (%1) has a tension of %2, which is %3 of its "
-                               "yield strength of %4.")
+                               "During the blow, the most heavily loaded section (%1) has a tension of %2, "
+                               "which is %3 of its yield strength of %4.")
                          : translatable(
-                               "The most heavily loaded section (%1) has a compression of %2, which is %3 of "
-                               "its yield strength of %4.");
+                               "During the blow, the most heavily loaded section (%1) has a compression of "
+                               "%2, which is %3 of its yield strength of %4.");
 }
 
 /// Returns the fatigue strength of the rods, or of the first section if no section is a rod.

@@ -253,40 +253,32 @@ const Study& thrustStudy() {
         .plotTitle = translatable("Required feed"),
         .summary = "feed force that single blows require, and whether the installed one is sufficient",
         .details =
-            "Estimates from single blows whether the installed feed force is sufficient. Prints four cases:\n"
-            "this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic "
-            "rock\n"
-            "(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow "
-            "frequency,\n"
-            "I0 the impulse of a blow and e the coefficient of restitution:\n"
-            "  required        f I0 (1 + e), the feed force that balances the blows\n"
-            "  return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the "
-            "rock\n"
-            "                  before the next blow\n"
-            "  margin          effective over required feed force, less 1\n"
-            "  enough up to    highest blow frequency at which the effective feed force is not below the\n"
-            "                  required one\n"
-            "If the feed force is below f I0, the blows push the machine back. The effective feed force is "
-            "the\n"
-            "installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along "
-            "the\n"
-            "hole is added. For consecutive blows, use `drillwave drill`; its --scan\n"
-            "drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units\n"
-            "and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill "
-            "strings,\n"
-            "I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.",
+            "Estimates from single blows whether the installed feed force is sufficient. Prints four cases: "
+            "this\nblow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst gap. The "
+            "worst gap\nrequires the highest feed force on elastic rock (gamma = 1). In the columns of the "
+            "table (theory\n§10), f is the blow frequency, I0 the impulse of a blow and e the coefficient of "
+            "restitution:\n  required        f I0 (1 + e), the feed force that balances the blows\n  return "
+            "in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock\n     "
+            "             before the next blow\n  margin          effective over required feed force, less "
+            "1\n  enough up to    highest blow frequency at which the effective feed force still\n           "
+            "       reaches the required one\nIf the feed force is below f I0, the blows push the machine "
+            "back. The effective feed force is the\ninstalled one; if drill.inclination is given, the weight "
+            "of rod and drill.machine_mass along the\nhole is added. For consecutive blows, use `drillwave "
+            "drill`; its --scan\ndrill.thrust=START:STOP:COUNT shows the effect of more feed force. FILE "
+            "must have physical units\nand drill.blow_frequency; margins need drill.thrust, the installed "
+            "feed force. For drill strings,\nI0 is the impulse that the hammer transfers, and only this blow "
+            "and rigid rock are printed.",
         .csvHelp = "also write the table of --along to FILE.csv; -o - prints this CSV instead of the tables",
-        .options =
-            {{.key = "along",
-              .value = "KEY=VALUES",
-              .help =
-                  "vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], "
-                  "START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)",
-              .control = RangeControl{{"drill.blow_frequency"}},
-              .label = translatable("over")},
-             {.key = "frequency",
-              .value = "VALUES",
-              .help = "vary the blow frequency: short for --along drill.blow_frequency=VALUES"}},
+        .options = {{.key = "along",
+                     .value = "KEY=VALUES",
+                     .help = "also print a table over the values of this parameter. VALUES is "
+                             "START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C. Default "
+                             "COUNT: 101, or every integer if the parameter is an integer",
+                     .control = RangeControl{{"drill.blow_frequency"}},
+                     .label = translatable("over")},
+                    {.key = "frequency",
+                     .value = "VALUES",
+                     .help = "vary the blow frequency: short for --along drill.blow_frequency=VALUES"}},
         .views = {},
         .firstLook = "",
         .clickHelp = "",

@@ -170,9 +170,9 @@ std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimat
     if (Message margin = marginSentence(feed, style); !margin.isEmpty())
         sentences.push_back(std::move(margin));
     if (!feed.gapsHavePeriod)
-        sentences.emplace_back(translatable(
-            "The impulse of a blow is taken at the hammer's face. For a drill string, results do not repeat "
-            "with the gap between bit and rock, so neither a share of all gaps nor the worst gap is known."));
+        sentences.emplace_back(
+            translatable("The impulse of a blow is that from hammer to string. For drill strings, only the "
+                         "gap entered and rigid rock are examined."));
     return sentences;
 }
 

@@ -140,7 +140,7 @@ Message setRows(SignalOptions& options, std::string_view text) {
 
 constexpr SignalOption readingOptions[] = {
     {"separator", "SIGN",
-     "sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)",
+     "sign between the columns of the table: tab, semicolon, comma, bar (|) or blank (default: detected)",
      setSeparator},
     {"decimal", "SIGN", "decimal sign of the table: point or comma (default: detected)", setDecimal},
     {"first-line", "N", "number of the first line with a sample (default: detected)", setFirstLine},
@@ -162,8 +162,8 @@ constexpr SignalOption readingOptions[] = {
      [](SignalOptions& options, std::string_view text) { return setNumber(options.gain, text); }},
     {"excitation", "V", "supply voltage of the bridge in volts, for a signal in volts", setExcitation},
     {"bridge", "B",
-     "bridge factor of the strain gauges: 1 for a quarter bridge, 2 for a half, 4 for a full bridge, 2.6 for "
-     "a full bridge with Poisson gauges",
+     "bridge factor of the strain gauges: 1 (quarter bridge), 2 (half bridge), 4 (full bridge) or 2.6 (full "
+     "bridge with Poisson gauges)",
      [](SignalOptions& options, std::string_view text) { return setNumber(options.bridge, text); }},
     {"gauge-factor", "K", "gauge factor of the strain gauges, for a signal in volts or mV/V",
      [](SignalOptions& options, std::string_view text) { return setNumber(options.gaugeFactor, text); }},
@@ -186,7 +186,9 @@ constexpr SignalOption readingOptions[] = {
          return Message();
      }},
     {"rows", "WHAT",
-     "treatment of rows without a number: refuse the table, or skip these rows (default: refuse)", setRows},
+     "treatment of rows in which a value is not a number: refuse the table, or skip these rows (default: "
+     "refuse)",
+     setRows},
 };
 
 }  // namespace

@@ -1363,7 +1363,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>largest compression of the residual waves, undamped</source>
-        <translation>größter Druck der verbleibenden Wellen, ungedämpft</translation>
+        <translation>größter Druck der Restwellen, ungedämpft</translation>
     </message>
     <message>
         <source>largest impact force</source>
@@ -1383,7 +1383,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>largest tension of the residual waves, undamped</source>
-        <translation>größter Zug der verbleibenden Wellen, ungedämpft</translation>
+        <translation>größter Zug der Restwellen, ungedämpft</translation>
     </message>
     <message>
         <source>last separation</source>
@@ -2614,8 +2614,8 @@ Trotzdem löschen?</translation>
         <translation>Hin- und Rückläufe von Schlag zu Schlag</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
-        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z; I0: Kraftstoß eines Schlags, Z: Impedanz der Stange)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it. d0 = 2 I0/Z, with the impulse I0 of a blow and the impedance Z of the rod</source>
+        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt. d0 = 2 I0/Z, mit dem Kraftstoß I0 eines Schlags und der Impedanz Z der Stange</translation>
     </message>
     <message>
         <source>standard deviation of the gap between bit and rock at the start of the blows</source>
@@ -3288,7 +3288,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     </message>
     <message>
         <source>return in time</source>
-        <translation>rechtzeitige Rückkehr</translation>
+        <translation>rechtzeitig zurück</translation>
     </message>
     <message>
         <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
@@ -3384,11 +3384,11 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     </message>
     <message>
         <source>Identify reads stiffness and elasticity of the rock, and the gap between bit and rock, from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
-        <translation>Die Seite Identifizieren bestimmt Steifigkeit und Elastizität des Gesteins und den Spalt zwischen Bohrkrone und Gestein aus Dehnungsmessstreifen auf der Stange. Öffnen Sie die Aufzeichnung eines Schlags oder die mehrerer Schläge entlang eines Bohrlochs.</translation>
+        <translation>Die Seite Identifizieren bestimmt Steifigkeit und Elastizität des Gesteins und den Spalt zwischen Bohrkrone und Gestein aus Messungen mit Dehnungsmessstreifen auf der Stange. Dazu die Aufzeichnung eines Schlags oder mehrerer Schläge entlang eines Bohrlochs öffnen.</translation>
     </message>
     <message>
         <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
-        <translation>Der größte Druck ist %1 (%2), der größte Zug %3 (%4).</translation>
+        <translation>Die größte Druckspannung ist %1 (%2), die größte Zugspannung %3 (%4).</translation>
     </message>
     <message>
         <source>x/L = %1</source>
@@ -3671,8 +3671,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
     </message>
     <message>
-        <source>To mark a time, click an event or press T over the plots.</source>
-        <translation>Eine Zeit markieren: auf ein Ereignis klicken oder T über den Diagrammen drücken.</translation>
+        <source>To mark a time, press T over the plots or click an event in Result.</source>
+        <translation>Eine Zeit markieren: T über den Diagrammen drücken oder im Ergebnis auf ein Ereignis klicken.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -3699,8 +3699,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Die größte Kraft auf das Gestein ist %1, bei %2.</translation>
     </message>
     <message>
-        <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
-        <translation>Bei %1 liegt die Kraft zwischen %2 (Druck) und %3 (Zug).</translation>
+        <source>At %1, the force in this plot is between %2 (compression) and %3 (tension).</source>
+        <translation>Bei %1 liegt die Kraft in diesem Diagramm zwischen %2 (Druck) und %3 (Zug).</translation>
     </message>
     <message>
         <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.
@@ -3753,7 +3753,7 @@ N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂
     </message>
     <message>
         <source>waves at x/L = %1 (p to the bit, n from it)</source>
-        <translation>Wellen bei x/L = %1 (p zur Krone, n weg)</translation>
+        <translation>Wellen bei x/L = %1 (p zur Krone, n zurück)</translation>
     </message>
     <message>
         <source>N, tension +</source>
@@ -3930,8 +3930,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>variiert</translation>
     </message>
     <message>
-        <source>family</source>
-        <translation>Schar</translation>
+        <source>curves for</source>
+        <translation>Kurven für</translation>
     </message>
     <message>
         <source>this scenario</source>
@@ -4037,11 +4037,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Kleinster gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Kleinster gefundener Wert (%1) der besten Auslegung für ungenau bekanntes Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Größter gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Größter gefundener Wert (%1) der besten Auslegung für ungenau bekanntes Gestein: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
@@ -4057,7 +4057,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Load the best design for uncertain rock</source>
-        <translation>Beste Auslegung für unsicheres Gestein laden</translation>
+        <translation>Beste Auslegung für ungenau bekanntes Gestein laden</translation>
     </message>
     <message>
         <source>Load the best design for the values entered</source>
@@ -4077,11 +4077,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% smaller.</source>
-        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für unsicheres Gestein um %1&#xa0;% kleiner.</translation>
+        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für ungenau bekanntes Gestein um %1&#xa0;% kleiner.</translation>
     </message>
     <message>
         <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% larger.</source>
-        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für unsicheres Gestein um %1&#xa0;% größer.</translation>
+        <translation>Mit den eingegebenen Werten ist die Zielgröße der besten Auslegung für ungenau bekanntes Gestein um %1&#xa0;% größer.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4097,7 +4097,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>&lt;b&gt;Best for uncertain rock: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Am besten für unsicheres Gestein: %1&lt;/b&gt;</translation>
+        <translation>&lt;b&gt;Am besten für ungenau bekanntes Gestein: %1&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Present design: %1&lt;/b&gt;</source>
@@ -4113,7 +4113,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Best for uncertain rock: %1</source>
-        <translation>Am besten für unsicheres Gestein: %1</translation>
+        <translation>Am besten für ungenau bekanntes Gestein: %1</translation>
     </message>
     <message>
         <source>Load %1</source>
@@ -5901,7 +5901,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Click on a line or preset to use that point; Shift+click pins it. The crosshair can be dragged.</source>
-        <translation>Ein Klick auf eine Linie oder eine Voreinstellung übernimmt den Punkt dort, mit Umschalt heftet er ihn an; das Fadenkreuz lässt sich ziehen.</translation>
+        <translation>Klick auf eine Linie oder Voreinstellung: diesen Punkt übernehmen; mit Umschalt: zum Vergleich anheften. Das Fadenkreuz lässt sich ziehen.</translation>
     </message>
 </context>
 <context>
@@ -6029,7 +6029,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>elastic, worst gap</source>
-        <translation>elastisch, größter Bedarf</translation>
+        <translation>elastisch, ungünst. Spalt</translation>
     </message>
     <message>
         <source>Mean force that balances a blow which starts at rest on the rock</source>
@@ -6092,8 +6092,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Eingabe %1 = %2 liegt außerhalb ihres üblichen Bereichs, %3 bis %4.</translation>
     </message>
     <message>
-        <source>The first reflection returns to the hammer before the last %1 % of the blow. A real hammer would feel it, but here the hammer force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Die erste Reflexion kommt vor den letzten %1&#xa0;% des Schlags zum Hammer zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Hammerkraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
+        <source>When the first reflection returns to the hammer, %1 % of the impulse of the blow is still to come. A real hammer would feel the reflection, but here the hammer force is prescribed. To include this effect, use a drill string with a hammer.</source>
+        <translation>Wenn die erste Reflexion zum Hammer zurückkommt, stehen noch %1&#xa0;% vom Kraftstoß des Schlags aus. Ein wirklicher Hammer würde die Reflexion spüren, hier aber ist die Hammerkraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt diese Wirkung.</translation>
     </message>
     <message>
         <source>No hammer data are given. The hammer is assumed to have the impedance of the rod and to give a rectangular blow. Enter the data of the piston.</source>
@@ -6104,20 +6104,20 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Der Hammer ist der Standardhammer (%1, Werkstoff der Stange). Die Daten des Kolbens des Bohrhammers angeben.</translation>
     </message>
     <message>
-        <source>The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and the rod receives more than its momentum.</source>
-        <translation>Die Impedanz des Hammers ist kleiner als die der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
+        <source>The impedance of the hammer is below that of the rod. The hammer therefore bounces back after one force step, and the rod receives more than the momentum of the hammer.</source>
+        <translation>Die Impedanz des Hammers ist kleiner als die der Stange. Der Hammer prallt daher nach einer Kraftstufe zurück, und die Stange übernimmt mehr als den Impuls des Hammers.</translation>
     </message>
     <message>
         <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. Reflections that return to the hammer are neglected here.</source>
         <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen. Rückläufe zum Hammer sind dabei vernachlässigt.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; to compute it, use %2.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%3). Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10&#xa0;% ändern; zum Berechnen %2 verwenden.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow, and they still act on that blow (%3). This may change the penetration by up to 10 %, depending on blow frequency and string length; to compute it, use %2.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf diesen (%3). Das kann die Eindringung um bis zu 10&#xa0;% ändern, je nach Schlagfrequenz und Stranglänge; zum Berechnen %2 verwenden.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4). Because %1 is close to the whole number %2, they arrive together with the next blow. Penetration may change by up to 10 %; to compute it, use %3.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf ihn (%4). Weil %1 nahe bei der ganzen Zahl %2 liegt, treffen sie zugleich mit ihm ein. Die Eindringung kann sich um bis zu 10&#xa0;% ändern; zum Berechnen %3 verwenden.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow, and they still act on that blow (%4). Because %1 is close to the whole number %2, they arrive at the same time as the next blow. This may change the penetration by up to 10 %; to compute it, use %3.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe im Strang bis zum nächsten Schlag und wirken noch auf diesen (%4). Weil %1 nahe bei der ganzen Zahl %2 liegt, treffen sie gleichzeitig mit dem nächsten Schlag ein. Das kann die Eindringung um bis zu 10&#xa0;% ändern; zum Berechnen %3 verwenden.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6140,8 +6140,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Round the lengths to multiples of a common length, such as 50 mm: longer time steps are then exact.</source>
-        <translation>Die Längen auf Vielfache einer gemeinsamen Länge runden, zum Beispiel 50 mm: dann sind längere Zeitschritte genau.</translation>
+        <source>Round the section lengths to multiples of a common length, such as 50 mm. A longer time step then fits all sections exactly.</source>
+        <translation>Die Abschnittslängen auf Vielfache einer gemeinsamen Länge runden, zum Beispiel 50 mm. Ein längerer Zeitschritt passt dann genau zu allen Abschnitten.</translation>
     </message>
     <message>
         <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
@@ -6164,8 +6164,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>die Bohrkrone noch auf dem Gestein ist, wenn die nächste Reflexion ankommt</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
-        <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1. Ihre Stoßzahl e = %2 hat einen Fehler von %3.</translation>
+        <source>The closed-form solution for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
+        <translation>Die geschlossene Lösung für elastisches Gestein gilt nicht, weil %1. Ihre Stoßzahl e = %2 hat einen Fehler von %3.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6176,8 +6176,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Zug</translation>
     </message>
     <message>
-        <source>The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts the time of contact and has no other effect.</source>
-        <translation>Die Stange wird als starrer Körper bewegt, daher verschiebt der Spalt zwischen Bohrkrone und Gestein nur die Zeit des Kontakts und hat keine andere Wirkung.</translation>
+        <source>The rod moves as a rigid body until it meets the rock. The gap between bit and rock therefore only shifts the time of contact and has no other effect.</source>
+        <translation>Die Stange bewegt sich als starrer Körper, bis sie auf das Gestein trifft. Der Spalt zwischen Bohrkrone und Gestein verschiebt daher nur die Zeit des Kontakts und hat keine andere Wirkung.</translation>
     </message>
     <message>
         <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
@@ -6193,19 +6193,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are for that moment and not final.</source>
-        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: Bohrkrone und Gestein oder Hammer und Strang können sich noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
+        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: Bohrkrone und Gestein oder Hammer und Strang können sich noch einmal treffen. Die Werte gelten für diesen Zeitpunkt und sind nicht endgültig.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections would take more work than is permitted, so they were not computed and no strength was checked. Try a shorter end_time.</source>
-        <translation>Die größten Spannungen der Abschnitte würden mehr Aufwand kosten, als erlaubt ist. Sie wurden daher nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
+        <source>The largest stresses of the sections were not computed, because this would exceed the limit of computing work. No strength was checked. Try a shorter end time (end_time).</source>
+        <translation>Die größten Spannungen der Abschnitte wurden nicht berechnet, weil das den erlaubten Rechenaufwand überschreiten würde. Keine Festigkeit wurde geprüft. Eine kürzere Endzeit (end_time) versuchen.</translation>
     </message>
     <message>
-        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it loaded along one straight line.</source>
-        <translation>Die Kraft auf das Gestein erreicht nur %1, unter der ersten Ecke der Belastungskurve bei %2: das Gestein wirkt, als würde es längs einer einzigen Geraden belastet.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2. The rock therefore acts as if its loading curve were one straight line.</source>
+        <translation>Die Kraft auf das Gestein erreicht nur %1, unter der ersten Ecke der Belastungskurve bei %2. Das Gestein wirkt daher, als wäre die Belastungskurve eine einzige Gerade.</translation>
     </message>
     <message>
-        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
-        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran, daher wächst der Spalt zwischen Bohrkrone und Gestein von Schlag zu Schlag. Den Andruck erhöhen.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it. The gap between bit and rock therefore grows from blow to blow. Increase the feed force.</source>
+        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran. Der Spalt zwischen Bohrkrone und Gestein wächst daher von Schlag zu Schlag. Den Andruck erhöhen.</translation>
     </message>
     <message>
         <source>Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip is usual.</source>
@@ -6216,16 +6216,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Nachdem sich der Kolben getrennt hat, trifft ihn der zurückprallende Strang noch einmal, und der Kolben gibt bis zu %1&#xa0;% seines Impulses an den Strang ab. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
-        <translation>Beim Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt; Hub und Schlagenergie einer wirklichen Maschine wären also andere. Hat die Dämpfung keine Feder, eine hinzufügen: Ein Dämpfer allein lässt das Einsteckende wandern.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine. Stroke and blow energy of a real machine would therefore differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
+        <translation>Beim Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt. Hub und Schlagenergie einer wirklichen Maschine wären daher andere. Hat die Dämpfung keine Feder, eine hinzufügen: Ein Dämpfer allein lässt das Einsteckende wandern.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
         <translation>Die Schlagfrequenz ist auf %1 gerundet, damit jeder Schlag auf einen Zeitschritt fällt.</translation>
     </message>
     <message>
-        <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
-        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihres Fehlers. Die Zahl der Schläge oder der Schläge zum Einschwingen erhöhen.</translation>
+        <source>The motion may not be steady yet: means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
+        <translation>Die Bewegung ist vielleicht noch nicht stationär: Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihres Fehlers. Die Zahl der Schläge oder der Schläge zum Einschwingen erhöhen.</translation>
     </message>
     <message>
         <source>Two steady motions are possible. The start or the time step decides which one is computed; a real drill may settle into either.</source>
@@ -6236,8 +6236,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Bewegung wiederholt sich nicht von Schlag zu Schlag: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %, because the time step is too long for such short contacts. A shorter time step reduces the error in proportion.</source>
-        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%, weil der Zeitschritt für so kurze Kontakte zu lang ist. Ein kürzerer Zeitschritt verringert den Fehler im gleichen Verhältnis.</translation>
+        <source>The energy balance of all blows has an error of %1 %. The time step is too long for the short contacts between bit and rock. A shorter time step reduces the error in proportion.</source>
+        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1&#xa0;%. Der Zeitschritt ist für die kurzen Kontakte von Bohrkrone und Gestein zu lang. Ein kürzerer Zeitschritt verringert den Fehler im gleichen Verhältnis.</translation>
     </message>
     <message>
         <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
@@ -6300,8 +6300,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>bei jedem Spalt</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: the scenario has dimensionless groups, not physical units.</source>
-        <translation>Der Vorschub wird nicht beurteilt: das Szenario ist durch seine dimensionslosen Kennzahlen gegeben, nicht in physikalischen Einheiten.</translation>
+        <source>The feed cannot be judged: the scenario has only dimensionless groups. Enter it in physical units.</source>
+        <translation>Der Vorschub wird nicht beurteilt: das Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben. Die Größen in physikalischen Einheiten eingeben.</translation>
     </message>
     <message>
         <source>The feed cannot be judged: give a blow frequency.</source>
@@ -8309,7 +8309,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>best for uncertain rock</source>
-        <translation>beste Auslegung für unsicheres Gestein</translation>
+        <translation>beste Auslegung für ungenau bekanntes Gestein</translation>
     </message>
     <message>
         <source>best for the values entered</source>
@@ -8349,11 +8349,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Kleinster in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Kleinster in den Bereichen gefundener Wert (%1) der besten Auslegung für ungenau bekanntes Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Größter in den Bereichen gefundener Wert (%1) der besten Auslegung für unsicheres Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Größter in den Bereichen gefundener Wert (%1) der besten Auslegung für ungenau bekanntes Gestein: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and is left out of the statistics. Reason: %2.</source>
@@ -8372,8 +8372,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Auslegungen haben keine Statistik, weil mehr als 0,1&#xa0;% ihrer Stichproben nicht gelöst werden konnten.</translation>
     </message>
     <message>
-        <source>In up to %1 % of the samples of a design, the bit chatters on the rock; the numerical error of these blows is larger than the error of the statistics.</source>
-        <translation>Bei bis zu %1&#xa0;% der Stichproben einer Auslegung rattert die Bohrkrone auf dem Gestein; der numerische Fehler dieser Schläge ist größer als der Fehler der Statistik.</translation>
+        <source>In up to %1 % of the samples of a design, the bit chatters on the rock. The numerical error of these blows is larger than the error of the statistics.</source>
+        <translation>Bei bis zu %1&#xa0;% der Stichproben einer Auslegung rattert die Bohrkrone auf dem Gestein. Der numerische Fehler dieser Schläge ist größer als der Fehler der Statistik.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8397,11 +8397,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the upper end of the range of %1: extend that range.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein liegt am oberen Ende des Bereichs von %1: diesen Bereich erweitern.</translation>
+        <translation>Die beste Auslegung für ungenau bekanntes Gestein liegt am oberen Ende des Bereichs von %1: diesen Bereich erweitern.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the lower end of the range of %1: extend that range.</source>
-        <translation>Die beste Auslegung für unsicheres Gestein liegt am unteren Ende des Bereichs von %1: diesen Bereich erweitern.</translation>
+        <translation>Die beste Auslegung für ungenau bekanntes Gestein liegt am unteren Ende des Bereichs von %1: diesen Bereich erweitern.</translation>
     </message>
     <message>
         <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
@@ -10464,8 +10464,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Der Vorschub wird nicht beurteilt: Schlagfrequenz und Andruck angeben.</translation>
     </message>
     <message>
-        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Diese Schätzung gilt für einzelne Schläge; %1 simuliert aufeinanderfolgende Schläge.</translation>
+        <source>The required feed force is estimated from single blows; %1 solves consecutive blows.</source>
+        <translation>Der erforderliche Andruck ist aus einzelnen Schlägen geschätzt; %1 simuliert aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -10508,12 +10508,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Einen Wellenverlust angeben (%1): üblich sind 1 bis 30&#xa0;% je Hin- und Rücklauf.</translation>
     </message>
     <message>
-        <source>Increase the number of blows (%1) to reduce the error.</source>
-        <translation>Die Zahl der Schläge (%1) erhöhen, um den Fehler zu verkleinern.</translation>
+        <source>Increase the number of blows (%1) to reduce the error of the mean penetration.</source>
+        <translation>Die Zahl der Schläge (%1) erhöhen, um den Fehler der mittleren Eindringung zu verkleinern.</translation>
     </message>
     <message>
-        <source>Use shorter time steps, or lengths that are multiples of a common length, to reduce the error.</source>
-        <translation>Kürzere Zeitschritte verwenden, oder Längen, die Vielfache einer gemeinsamen Länge sind, um den Fehler zu verkleinern.</translation>
+        <source>To reduce the error, use shorter time steps, or make the section lengths multiples of a common length.</source>
+        <translation>Um den Fehler zu verkleinern, kürzere Zeitschritte verwenden oder die Abschnittslängen zu Vielfachen einer gemeinsamen Länge machen.</translation>
     </message>
     <message>
         <source>The bit penetrates %1 per blow, at a penetration rate of %2.</source>
@@ -10532,16 +10532,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>einem Andruck von %1</translation>
     </message>
     <message>
-        <source>All values from %1 to %2 give the same penetration rate within the errors.</source>
-        <translation>Alle Werte von %1 bis %2 ergeben innerhalb der Fehler denselben Bohrfortschritt.</translation>
+        <source>All values from %1 to %2 give the same penetration rate within the errors of the computation.</source>
+        <translation>Alle Werte von %1 bis %2 ergeben im Rahmen der Rechenfehler denselben Bohrfortschritt.</translation>
     </message>
     <message>
         <source>a constant force</source>
         <translation>konstanter Kraft</translation>
     </message>
     <message>
-        <source>This mean is inaccurate: its error is above %1, because %2.</source>
-        <translation>Dieses Mittel ist ungenau: sein Fehler liegt über %1, weil %2.</translation>
+        <source>The mean penetration per blow is inaccurate: its error is above %1, because %2.</source>
+        <translation>Die mittlere Eindringung je Schlag ist ungenau: ihr Fehler liegt über %1, weil %2.</translation>
     </message>
     <message>
         <source>In %1 of the blows, the bit is in contact with the rock when the blow arrives.</source>
@@ -10556,8 +10556,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Verbindung von Maschine und Stange ist mit %1 modelliert.</translation>
     </message>
     <message>
-        <source>All values of the scan give the same penetration rate within the errors, %1.</source>
-        <translation>Alle Werte des Durchlaufs ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
+        <source>All values of the scan give the same penetration rate, %1, within the errors of the computation.</source>
+        <translation>Alle untersuchten Werte ergeben im Rahmen der Rechenfehler denselben Bohrfortschritt, %1.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -10573,11 +10573,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>return in time</source>
-        <translation>rechtzeitige Rückkehr</translation>
+        <translation>rechtzeitig zurück</translation>
     </message>
     <message>
-        <source>The impulse of a blow is taken at the hammer&apos;s face. For a drill string, results do not repeat with the gap between bit and rock, so neither a share of all gaps nor the worst gap is known.</source>
-        <translation>Der Kraftstoß eines Schlags gilt an der Stirnfläche des Hammers. Bei einem Strang wiederholen sich die Ergebnisse nicht mit dem Spalt zwischen Krone und Gestein; weder ein Anteil aller Spalte noch der schlimmste ist daher bekannt.</translation>
+        <source>The impulse of a blow is that from hammer to string. For drill strings, only the gap entered and rigid rock are examined.</source>
+        <translation>Der Kraftstoß eines Schlags ist der vom Hammer auf den Strang. Bei Bohrsträngen werden nur der eingegebene Spalt und starres Gestein untersucht.</translation>
     </message>
     <message>
         <source>sequences of blows</source>
@@ -11264,16 +11264,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 weitere Abschnitte</translation>
     </message>
     <message>
-        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
-        <translation>Der am höchsten belastete Abschnitt (%1) hat eine Zugspannung von %2; das sind %3 seiner Dauerfestigkeit von %4.</translation>
+        <source>During the blow, the most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
+        <translation>Während des Schlags hat der am höchsten belastete Abschnitt (%1) eine Zugspannung von %2; das sind %3 seiner Dauerfestigkeit von %4.</translation>
     </message>
     <message>
-        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Der am höchsten belastete Abschnitt (%1) hat eine Zugspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
+        <source>During the blow, the most heavily loaded section (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Während des Schlags hat der am höchsten belastete Abschnitt (%1) eine Zugspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>The most heavily loaded section (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Der am höchsten belastete Abschnitt (%1) hat eine Druckspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
+        <source>During the blow, the most heavily loaded section (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Während des Schlags hat der am höchsten belastete Abschnitt (%1) eine Druckspannung von %2; das sind %3 seiner Streckgrenze von %4.</translation>
     </message>
     <message>
         <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
@@ -11296,8 +11296,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ist leer; ein Abschnitt, der aus keiner Voreinstellung ist, wird ohne es geschrieben</translation>
     </message>
     <message>
-        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser model of the string, whose COR and efficiency differ by at most %1.</source>
-        <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Wellen und Kräfte in den Diagrammen gehören zu einem gröber geteilten Strang, dessen Stoßzahl und Wirkungsgrad um höchstens %1 abweichen.</translation>
+        <source>This blow has too many waves to store them all. Plots of waves and forces therefore show a coarser model of the string. Its coefficient of restitution and efficiency differ by at most %1.</source>
+        <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern. Wellen und Kräfte in den Diagrammen gehören daher zu einem gröber geteilten Strang. Dessen Stoßzahl und Wirkungsgrad weichen um höchstens %1 ab.</translation>
     </message>
     <message>
         <source>%1, but a small disturbance grows</source>
@@ -11312,8 +11312,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Unter „%1“ einen Wellenverlust eingeben: üblich sind 1 bis 30&#xa0;% je Hin- und Rücklauf.</translation>
     </message>
     <message>
-        <source>Enter a larger number under “%1” to reduce the error.</source>
-        <translation>Unter „%1“ eine größere Zahl eingeben, um den Fehler zu verkleinern.</translation>
+        <source>Enter a larger number under “%1” to reduce the error of the mean penetration.</source>
+        <translation>Unter „%1“ eine größere Zahl eingeben, um den Fehler der mittleren Eindringung zu verkleinern.</translation>
     </message>
     <message>
         <source>undamped</source>
@@ -11324,12 +11324,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>gedämpft nur durch die Verluste im Strang</translation>
     </message>
     <message>
-        <source>with %1 % left at a wave loss of %2 %</source>
-        <translation>mit noch %1 % bei einem Wellenverlust von %2 %</translation>
+        <source>%1 % of the wave is left, with a loss of %2 % per round trip</source>
+        <translation>%1 % der Welle sind noch da, bei %2 % Verlust je Umlauf</translation>
     </message>
     <message>
         <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are for that moment and not final.</source>
-        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: die Bohrkrone kann das Gestein noch einmal treffen. Die Werte sind die zu dieser Zeit, nicht die endgültigen.</translation>
+        <translation>Dieser Schlag ist nach %1, wenn der nächste beginnt, nicht zu Ende: die Bohrkrone kann das Gestein noch einmal treffen. Die Werte gelten für diesen Zeitpunkt und sind nicht endgültig.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -11337,11 +11337,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Results repeat every d₀ of gap.</source>
-        <translation>Die Ergebnisse wiederholen sich alle d₀ Spalt.</translation>
+        <translation>Mit wachsendem Spalt wiederholen sich die Ergebnisse alle d₀.</translation>
     </message>
     <message>
         <source>Results repeat every d₀ = %1 of gap.</source>
-        <translation>Die Ergebnisse wiederholen sich alle d₀ = %1 Spalt.</translation>
+        <translation>Mit wachsendem Spalt wiederholen sich die Ergebnisse alle d₀ = %1.</translation>
     </message>
     <message>
         <source>How the gap scatters</source>
@@ -11389,7 +11389,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Click on the curve to use that gap; Shift+click pins it.</source>
-        <translation>Ein Klick auf die Kurve übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
+        <translation>Klick auf die Kurve: diesen Spalt übernehmen; mit Umschalt: zum Vergleich anheften.</translation>
     </message>
     <message>
         <source>COR–gap needs a uniform rod, whose results repeat over the gap. For drill strings they do not repeat: Efficiency–stiffness shows them over the gap, point by point.</source>
@@ -11704,24 +11704,24 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>versuchte Gesetze</translation>
     </message>
     <message>
-        <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
-        <translation>Die Reflexion kommt nicht zu der aus der Szenariodatei berechneten Zeit an: den Abstand der Messstelle von der Krone, die Wellengeschwindigkeit und den Abtasttakt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
+        <source>The reflection does not arrive at the time computed from the scenario file. Check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
+        <translation>Die Reflexion kommt nicht zu der aus der Szenariodatei berechneten Zeit an. Den Abstand der Messstelle von der Krone, die Wellengeschwindigkeit und den Abtasttakt prüfen, und ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>A section between gauge and bit differs from the scenario file: measure the bit head and the rod, and check whether the file lacks a section.</source>
-        <translation>Ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab: den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
+        <source>A section between gauge and bit differs from the scenario file. Measure the bit head and the rod, and check whether the file lacks a section.</source>
+        <translation>Ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab. Den Kronenkopf und die Stange messen, und prüfen, ob in der Datei ein Abschnitt fehlt.</translation>
     </message>
     <message>
-        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file: measure this distance, the bit head and the rod.</source>
-        <translation>Der Abstand der Messstellen voneinander oder ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab: diesen Abstand, den Kronenkopf und die Stange messen.</translation>
+        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file. Measure this distance, the bit head and the rod.</source>
+        <translation>Der Abstand der Messstellen voneinander oder ein Abschnitt zwischen Messstelle und Bohrkrone weicht von der Szenariodatei ab. Diesen Abstand, den Kronenkopf und die Stange messen.</translation>
     </message>
     <message>
         <source>The record shows waves at times when the rod should be at rest. Possible causes: bending (use gauges on opposite sides of the rod), the blow before, or couplings.</source>
         <translation>Die Aufzeichnung zeigt Wellen zu Zeiten, in denen die Stange in Ruhe sein sollte. Mögliche Ursachen: Biegung (Messstreifen auf gegenüberliegenden Seiten der Stange verwenden), der Schlag davor oder Kupplungsmuffen.</translation>
     </message>
     <message>
-        <source>The zero line of the record drifts by more than the tolerance of the amplifier: check its zero, its drift and whether it is AC or DC coupled.</source>
-        <translation>Die Nulllinie der Aufzeichnung bewegt sich um mehr als die Toleranz des Verstärkers: seinen Nullpunkt, seine Drift und seine Kopplung prüfen.</translation>
+        <source>The zero line of the record drifts by more than the tolerance of the amplifier. Check the zero and the drift of the amplifier, and whether it is AC or DC coupled.</source>
+        <translation>Die Nulllinie der Aufzeichnung bewegt sich um mehr als die Toleranz des Verstärkers. Nullpunkt und Drift des Verstärkers prüfen, und ob er AC- oder DC-gekoppelt ist.</translation>
     </message>
     <message>
         <source>The rod still rings from an earlier blow when this blow starts: measure a single blow.</source>
@@ -12136,8 +12136,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>stimmt nicht überein</translation>
     </message>
     <message>
-        <source>The installed feed force is enough for single blows. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
-        <translation>Der installierte Andruck reicht für einzelne Schläge. Ab %1 würde sogar eine ungedämpfte Stange vor jedem nächsten Schlag zum Gestein zurückkehren.</translation>
+        <source>A feed force of at least %1 would even return an undamped rod to the rock before each next blow.</source>
+        <translation>Ein Andruck von mindestens %1 würde sogar eine ungedämpfte Stange vor jedem nächsten Schlag zum Gestein zurückbringen.</translation>
     </message>
     <message>
         <source>The installed feed force is enough for single blows.</source>
@@ -12152,16 +12152,16 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--goal nimmt nur den Wert: --outputs cor --goal 1</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so the coefficient of restitution e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
-        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass die Stoßzahl e von den letzten Stellen der Eingabe abhängt und nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
+        <source>The bit chatters on the rock (%1 contacts). Tiny changes of the input then change the coefficient of restitution e, which can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte). Winzige Änderungen der Eingabe ändern dann die Stoßzahl e, die nur auf %2 genau bekannt sein kann. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein mindert das Rattern.</translation>
     </message>
     <message>
-        <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
-        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder in der Szenariodatei ist ein Abschnitt zwischen Messstelle und Bohrkrone oder der Abstand der Messstellen voneinander falsch: zuerst den Kronenkopf und diesen Abstand prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
+        <source>Either the rock follows another law, or the scenario file is wrong about a section between gauge and bit or the distance between the gauges. Check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
+        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder in der Szenariodatei ist ein Abschnitt zwischen Messstelle und Bohrkrone oder der Abstand der Messstellen voneinander falsch. Zuerst den Kronenkopf und diesen Abstand prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
     <message>
-        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file: check the bit head first, then see where the measured and the modelled wave differ.</source>
-        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder die Abschnitte zwischen Messstelle und Bohrkrone weichen von der Szenariodatei ab: zuerst den Kronenkopf prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
+        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file. Check the bit head first, then see where the measured and the modelled wave differ.</source>
+        <translation>Entweder folgt das Gestein einem anderen Gesetz, oder die Abschnitte zwischen Messstelle und Bohrkrone weichen von der Szenariodatei ab. Zuerst den Kronenkopf prüfen, dann ansehen, wo gemessene und berechnete Welle auseinandergehen.</translation>
     </message>
     <message>
         <source>The scan cannot decide which value is best: the penetrations have errors of +- %1, because %2.</source>
@@ -12333,7 +12333,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
-        <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den verbleibenden Wellen.</translation>
+        <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den Restwellen.</translation>
     </message>
     <message>
         <source>%1 from the struck end</source>
@@ -12368,12 +12368,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Der größte Zug und Druck entlang Hammer (unter 0) und Strang, während der Schlag dauert, mit den Festigkeiten der Abschnitte.</translation>
     </message>
     <message>
-        <source>%1 from the shank</source>
-        <translation>%1 vom Einsteckende</translation>
-    </message>
-    <message>
-        <source>%1 from the shank, %2</source>
-        <translation>%1 vom Einsteckende, %2</translation>
+        <source>%1 from the struck end, %2</source>
+        <translation>%1 vom hammerseitigen Ende, %2</translation>
     </message>
     <message>
         <source>place x: must be at most %1, the length of the string</source>
@@ -12496,20 +12492,20 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Stange würde fließen: während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
     </message>
     <message>
-        <source>The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
-        <translation>Die Stange würde fließen: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
+        <source>The rod would yield from residual waves after the blow, which are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.</source>
+        <translation>Die Stange würde durch Restwellen nach dem Schlag fließen, die hier nicht gedämpft sind. Die Spannung erreicht %1, %2 vom Hammer und %3 nach Beginn des Schlags. Die Streckgrenze ist %4.</translation>
     </message>
     <message>
-        <source>Every blow loads a section above its fatigue strength of %5: the stress in %1 reaches %2, at %3 from its rear end and %4 after the start of the blow.</source>
-        <translation>Jeder Schlag belastet einen Abschnitt über seine Dauerfestigkeit von %5: die Spannung in %1 erreicht %2, in %3 von seinem hinteren Ende und %4 nach Beginn des Schlags.</translation>
+        <source>Every blow loads %1 above its fatigue strength of %5. The stress reaches %2, at %3 from the rear end of this section and %4 after the start of the blow.</source>
+        <translation>Jeder Schlag belastet %1 über die Dauerfestigkeit von %5. Die Spannung erreicht %2, in %3 vom hinteren Ende dieses Abschnitts und %4 nach Beginn des Schlags.</translation>
     </message>
     <message>
-        <source>Every blow loads the rod above its fatigue strength of %4: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
-        <translation>Jeder Schlag belastet die Stange über ihre Dauerfestigkeit von %4: während des Schlags erreicht die Spannung %1, in %2 vom Hammer und %3 nach Beginn des Schlags.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4. During the blow, the stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Jeder Schlag belastet die Stange über ihre Dauerfestigkeit von %4. Während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags.</translation>
     </message>
     <message>
-        <source>Every blow loads the rod above its fatigue strength of %4: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow.</source>
-        <translation>Jeder Schlag belastet die Stange über ihre Dauerfestigkeit von %4: nach dem Schlag ergeben die Restwellen, hier ungedämpft, eine Spannung von %1, in %2 vom Hammer und %3 nach Beginn des Schlags.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4, by residual waves that are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Jeder Schlag belastet die Stange über ihre Dauerfestigkeit von %4, durch Restwellen, die hier nicht gedämpft sind. Die Spannung erreicht %1, %2 vom Hammer und %3 nach Beginn des Schlags.</translation>
     </message>
     <message>
         <source>%1 in compression</source>
@@ -12532,12 +12528,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Wahl von %1 macht für Zielgrößen und Grenzen keinen Unterschied.</translation>
     </message>
     <message>
-        <source>Besides this warning, the design has %1 more.</source>
-        <translation>Außer dieser Warnung hat die Auslegung %1 weitere.</translation>
+        <source>Number of other warnings for this design: %1.</source>
+        <translation>Zahl der weiteren Warnungen für diese Auslegung: %1.</translation>
     </message>
     <message>
         <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
-        <translation>Der höchste Bohrfortschritt des Durchlaufs, %1, wird mit %2 erreicht.</translation>
+        <translation>Der höchste Bohrfortschritt im untersuchten Bereich, %1, wird mit %2 erreicht.</translation>
     </message>
     <message>
         <source>blow</source>
@@ -12580,8 +12576,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Energieanteil</translation>
     </message>
     <message>
-        <source>if the rod bounces</source>
-        <translation>wenn die Stange springt</translation>
+        <source>rod bouncing at the start</source>
+        <translation>Stange springt zu Beginn</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12596,12 +12592,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Dämpfer der halben Impedanz</translation>
     </message>
     <message>
-        <source>strip: 95 % error of the penetration rate</source>
-        <translation>Streifen: 95-%-Fehler des Bohrfortschritts</translation>
+        <source>strip: 95 % confidence interval of the penetration rate</source>
+        <translation>Streifen: 95-%-Vertrauensbereich des Bohrfortschritts</translation>
     </message>
     <message>
-        <source>shaded: blows that are averaged</source>
-        <translation>schattiert: gemittelte Schläge</translation>
+        <source>mean: over the shaded blows</source>
+        <translation>Mittelwert: über die schattierten Schläge</translation>
     </message>
     <message>
         <source>gap and next gap: a projection from more dimensions</source>
@@ -12639,7 +12635,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 of %2 designs, best for uncertain rock %3</source>
-        <translation>%1 von %2 Auslegungen, beste für unsicheres Gestein %3</translation>
+        <translation>%1 von %2 Auslegungen, beste für ungenau bekanntes Gestein %3</translation>
     </message>
     <message>
         <source>on average</source>
@@ -12682,8 +12678,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Das Kennfeld folgt.</translation>
     </message>
     <message>
-        <source>no contour at %1</source>
-        <translation>keine Linie bei %1</translation>
+        <source>%1 is not reached</source>
+        <translation>%1 wird nicht erreicht</translation>
     </message>
     <message>
         <source>%1 of %2 points not solved (hatched)</source>
@@ -12730,8 +12726,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von %1 reicht für einen einzelnen Schlag, gleich bei welchem Spalt vor der Krone. Er bringt sogar eine ungedämpfte Stange vor dem nächsten Schlag zurück ans Gestein (dafür sind %2 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time, which requires %2; other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein und bringt sogar eine ungedämpfte Stange rechtzeitig zum Gestein zurück, was %2 erfordert; andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock. It even returns an undamped rod to the rock before the next blow (this requires %2). Other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag und für starres Gestein. Er bringt sogar eine ungedämpfte Stange vor dem nächsten Schlag zum Gestein zurück (das erfordert %2). Andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
         <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
@@ -12766,8 +12762,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich).</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich); andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required). Other gaps between bit and rock were not examined.</source>
+        <translation>Ein Andruck von %1 reicht für diesen Schlag (%2 erforderlich), aber nicht für starres Gestein (%3 erforderlich). Andere Spalte zwischen Bohrkrone und Gestein wurden nicht untersucht.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
@@ -12834,8 +12830,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>seine Schläge brauchten %1 Rechenschritte, mehr als die Aufwandsgrenze von %2, weil der Kontakt sehr oft wechselt; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
     </message>
     <message>
-        <source>Enter a goal to find where %1 reaches it.</source>
-        <translation>Ein Ziel eingeben, um zu finden, wo %1 es erreicht.</translation>
+        <source>Enter a goal for %1 to find where it is reached.</source>
+        <translation>Einen Zielwert für %1 eingeben, um zu finden, wo er erreicht wird.</translation>
     </message>
     <message>
         <source>The largest value of %1 is %2, at %3 = %5 and %4 = %6. The smallest is %9, at %3 = %7 and %4 = %8.</source>
@@ -14000,8 +13996,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Aufeinanderfolgende Schläge verfolgen (etwa %1 s)</translation>
     </message>
     <message>
-        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Diese Schätzung gilt für einzelne Schläge; %1 simuliert aufeinanderfolgende Schläge.</translation>
+        <source>The required feed force is estimated from single blows; %1 solves consecutive blows.</source>
+        <translation>Der erforderliche Andruck ist aus einzelnen Schlägen geschätzt; %1 simuliert aufeinanderfolgende Schläge.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>
@@ -14078,8 +14074,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Nichts zu zeigen: %1</translation>
     </message>
     <message>
-        <source>To mark a time, click an event or place the time cursor on the page Blow.</source>
-        <translation>Eine Zeit markieren: auf ein Ereignis klicken oder auf der Seite Schlag den Zeitcursor setzen.</translation>
+        <source>To mark a time, click an event in Result or place the time cursor on the page Blow.</source>
+        <translation>Eine Zeit markieren: im Ergebnis auf ein Ereignis klicken oder auf der Seite Schlag die Zeitmarke setzen.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -14183,9 +14179,9 @@ Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannu
     </message>
     <message>
         <source>At %1, during the blow: %2 and %3
-in the residual waves: %4 and %5</source>
+afterwards, in the residual waves: %4 and %5</source>
         <translation>Bei %1, während des Schlags: %2 und %3
-der verbleibenden Wellen: %4 und %5</translation>
+danach, in den Restwellen: %4 und %5</translation>
     </message>
     <message>
         <source>Rod</source>
@@ -14214,15 +14210,15 @@ in %4</translation>
     </message>
     <message>
         <source>compression of residual waves</source>
-        <translation>Druck der verbleibenden Wellen</translation>
+        <translation>Druck der Restwellen</translation>
     </message>
     <message>
         <source>tension of residual waves</source>
-        <translation>Zug der verbleibenden Wellen</translation>
+        <translation>Zug der Restwellen</translation>
     </message>
     <message>
-        <source>position x from the shank, hammer below 0</source>
-        <translation>Stelle x vom Einsteckende, Hammer unter 0</translation>
+        <source>position x from the struck end, hammer at x &lt; 0</source>
+        <translation>Stelle x vom hammerseitigen Ende, Hammer bei x &lt; 0</translation>
     </message>
     <message>
         <source>position x from the struck end</source>
@@ -15265,8 +15261,8 @@ messer</translation>
 <context>
     <name>drillwave::StringSketch</name>
     <message>
-        <source>position x from the shank, hammer below 0</source>
-        <translation>Stelle x vom Einsteckende, Hammer unter 0</translation>
+        <source>position x from the struck end, hammer at x &lt; 0</source>
+        <translation>Stelle x vom hammerseitigen Ende, Hammer bei x &lt; 0</translation>
     </message>
     <message>
         <source>diameter</source>
@@ -15742,8 +15738,8 @@ messer</translation>
         <translation>Teilchengeschwindigkeit v (zum Gestein positiv)</translation>
     </message>
     <message>
-        <source>position x from the shank, hammer below 0</source>
-        <translation>Stelle x vom Einsteckende, Hammer unter 0</translation>
+        <source>position x from the struck end, hammer at x &lt; 0</source>
+        <translation>Stelle x vom hammerseitigen Ende, Hammer bei x &lt; 0</translation>
     </message>
     <message>
         <source>position x from the struck end</source>
@@ -15853,11 +15849,10 @@ map.csv.yaml …), the name of a built-in example, or - for standard input.</sou
 map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standardeingabe.</translation>
     </message>
     <message>
-        <source>0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,
+        <source>0 done, 1 internal error or out of memory, 2 wrong command line, 3 input cannot be read,
 4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted</source>
-        <translation>0 fertig, 1 interner Fehler oder Speicher erschöpft, 2 falscher Aufruf,
-3 Eingabe nicht lesbar, 4 Ausgabe nicht schreibbar, 5 Szenario ungültig,
-6 ein Fall ließ sich nicht lösen, 130 abgebrochen</translation>
+        <translation>0 fertig, 1 interner Fehler oder Speicher erschöpft, 2 falscher Aufruf, 3 Eingabe nicht lesbar,
+4 Ausgabe nicht schreibbar, 5 Szenario ungültig, 6 ein Fall ließ sich nicht lösen, 130 abgebrochen</translation>
     </message>
     <message>
         <source>Options:</source>
@@ -15916,22 +15911,22 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
 parameter given last varies fastest. Values carry units where the parameter has one: --vary
 rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
 FILE.csv.yaml beside FILE.csv records version, command, varied parameters and scenario. --plots
-can draw one or two varied parameters: the one with more values is the horizontal axis, and each
-value of the other one gives a curve.</source>
+can draw one or two varied parameters. The parameter with more values is the horizontal axis; each
+value of the other parameter gives a curve.</source>
         <translation>Löst einen Schlag für jede Kombination der Werte von --vary. Jede Kombination ist eine Zeile; der
 zuletzt genannte Parameter läuft am schnellsten. Werte haben Einheiten, wo der Parameter eine hat:
 --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
 FILE.csv.yaml neben FILE.csv hält Version, Befehl, veränderte Parameter und Szenario fest. --plots
-kann einen oder zwei veränderte Parameter zeichnen: der mit mehr Werten ist die waagerechte Achse,
-und jeder Wert des anderen ergibt eine Kurve.</translation>
+kann einen oder zwei veränderte Parameter zeichnen. Der Parameter mit mehr Werten ist die
+waagerechte Achse; jeder Wert des anderen Parameters ergibt eine Kurve.</translation>
     </message>
     <message>
         <source>write outputs in SI, with units in the header</source>
         <translation>Ergebnisse in SI-Einheiten schreiben, mit Einheiten im Kopf</translation>
     </message>
     <message>
-        <source>solve only part I of N parts of the rows; `drillwave join` combines the parts; only part 1 has a header</source>
-        <translation>nur Teil I von N Teilen der Zeilen lösen; `drillwave join` fügt die Teile zusammen; nur Teil 1 hat einen Kopf</translation>
+        <source>split the rows into N parts and solve only part I; `drillwave join` combines the parts; only part 1 has a header</source>
+        <translation>die Zeilen in N Teile teilen und nur Teil I lösen; `drillwave join` fügt die Teile zusammen; nur Teil 1 hat einen Kopf</translation>
     </message>
     <message>
         <source>with -o, also write the plots that the window would show, as png, svg or pdf</source>
@@ -15957,28 +15952,28 @@ und Szenario fest.</translation>
         <translation>einen Parameter ändern: Extrema, Knicke und Sprünge der Ausgaben und wo sie ein Ziel erreichen, mit Fehlern</translation>
     </message>
     <message>
-        <source>parameter along the curve, from START to STOP without steps; with :log, its axis is logarithmic</source>
-        <translation>Parameter entlang der Kurve, von START bis STOP ohne Stufen; mit :log ist seine Achse logarithmisch</translation>
+        <source>parameter to follow continuously from START to STOP; with :log, its axis is logarithmic</source>
+        <translation>Parameter, der stetig von START bis STOP verfolgt wird; mit :log ist seine Achse logarithmisch</translation>
     </message>
     <message>
         <source>vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
         <translation>diesen Parameter verändern, mit einer Kurve für jeden Wert; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
     </message>
     <message>
-        <source>also print where an output crosses this value, in the unit of its column</source>
-        <translation>auch ausgeben, wo die Ergebnisse diesen Wert kreuzen, in der Einheit ihrer Spalten</translation>
+        <source>also print where an output crosses this value; give the value in the unit of the output&apos;s column</source>
+        <translation>auch ausgeben, wo ein Ergebnis diesen Wert kreuzt; den Wert in der Einheit der Spalte des Ergebnisses angeben</translation>
     </message>
     <message>
-        <source>print every value of the parameter at which the output is X, in the unit of its column; exit code 6 if there is none</source>
-        <translation>jeden Wert des Parameters ausgeben, bei dem das Ergebnis X ist, in der Einheit seiner Spalte; Exit-Code 6, wenn es keinen gibt</translation>
+        <source>print each parameter value at which the output is X. X is in the unit of the output&apos;s column. Exit code 6 if there is no such value</source>
+        <translation>jeden Wert des Parameters ausgeben, bei dem das Ergebnis X ist. X hat die Einheit der Spalte des Ergebnisses. Exit-Code 6, wenn es keinen solchen Wert gibt</translation>
     </message>
     <message>
         <source>print and write outputs in SI</source>
         <translation>Ergebnisse in SI-Einheiten ausgeben und schreiben</translation>
     </message>
     <message>
-        <source>also write the points of the curve to FILE.csv, the settings to FILE.csv.yaml and the values that --goal finds to FILE_goal.csv; -o - prints the points instead of the tables</source>
-        <translation>auch die Punkte der Kurve nach FILE.csv schreiben, die Einstellungen nach FILE.csv.yaml und die Werte, die --goal findet, nach FILE_goal.csv; -o - gibt die Punkte anstelle der Tabellen aus</translation>
+        <source>also write the curve to FILE.csv, the settings to FILE.csv.yaml and the --goal values to FILE_goal.csv; -o - prints the points instead of the tables</source>
+        <translation>auch die Kurve nach FILE.csv schreiben, die Einstellungen nach FILE.csv.yaml und die Werte von --goal nach FILE_goal.csv; -o - gibt die Punkte statt der Tabellen aus</translation>
     </message>
     <message>
         <source>map one output over two parameters, with contours</source>
@@ -16014,8 +16009,8 @@ springt.</translation>
         <translation>SI-Einheiten für das Ergebnis und für den Wert von --level verwenden, der dann eine Einheit haben darf</translation>
     </message>
     <message>
-        <source>also write the points of the map to FILE.csv, with its record FILE.csv.yaml, and the contours to FILE_contours.csv; -o - prints the points instead of the summary</source>
-        <translation>auch die Punkte der Karte nach FILE.csv schreiben, mit ihrem Protokoll FILE.csv.yaml, und die Höhenlinien nach FILE_contours.csv; -o - gibt die Punkte anstelle der Zusammenfassung aus</translation>
+        <source>also write the map to FILE.csv, its settings to FILE.csv.yaml and its contours to FILE_contours.csv; -o - prints the points instead of the summary</source>
+        <translation>auch die Karte nach FILE.csv schreiben, ihre Einstellungen nach FILE.csv.yaml und ihre Höhenlinien nach FILE_contours.csv; -o - gibt die Punkte statt der Zusammenfassung aus</translation>
     </message>
     <message>
         <source>combine the parts of a sweep, table or map that were solved with --shard</source>
@@ -16030,18 +16025,18 @@ springt.</translation>
         <translation>Stoßzahl, Kräfte und Wirkungsgrad für alle Spalte zwischen Bohrkrone und Gestein</translation>
     </message>
     <message>
-        <source>Prints how the results depend on the gap between bit and rock at the start of the blow. At the rig
-nobody controls this gap, and the results repeat with every d0 = 2 I0/Z of it (I0: impulse of the
-blow, Z: impedance of the rod). So all gaps of one such period count as equally likely. Prints
-extremes with their gaps, mean, 5, 50 and 95 % quantiles, and the share of gaps with a coefficient
-of restitution e above 1. --gap-deviation adds the same for a normally distributed gap; gaps below
-zero are cut off.</source>
-        <translation>Gibt aus, wie die Ergebnisse vom Spalt zwischen Bohrkrone und Gestein zu Beginn des Schlags
-abhängen. Am Bohrgerät regelt diesen Spalt niemand, und die Ergebnisse wiederholen sich mit je d0
-= 2 I0/Z Spalt (I0: Kraftstoß des Schlags, Z: Impedanz der Stange). Darum gelten alle Spalte einer
-solchen Periode als gleich wahrscheinlich. Ausgegeben werden Extreme mit ihren Spalten, Mittel,
-5-, 50- und 95-%-Quantil und der Anteil der Spalte mit einer Stoßzahl e über 1. --gap-deviation
-ergänzt dasselbe für einen normalverteilten Spalt; Spalte unter null sind abgeschnitten.</translation>
+        <source>Prints how the results depend on the gap between bit and rock at the start of the blow. Nobody
+controls this gap at the rig. The results repeat each time the gap grows by d0 = 2 I0/Z (I0:
+impulse of the blow, Z: impedance of the rod). All gaps within d0 therefore count as equally
+likely. Prints minima and maxima with their gaps, mean, and 5, 50 and 95 % quantiles. Also prints
+the share of gaps with a coefficient of restitution e above 1. --gap-deviation adds the same for a
+normally distributed gap, cut off below zero.</source>
+        <translation>Gibt aus, wie die Ergebnisse vom Spalt zwischen Bohrkrone und Gestein zu Beginn des Schlags abhängen.
+Am Bohrgerät regelt diesen Spalt niemand. Die Ergebnisse wiederholen sich jedes Mal, wenn der Spalt
+um d0 = 2 I0/Z wächst (I0: Kraftstoß des Schlags, Z: Impedanz der Stange). Darum gelten alle Spalte
+innerhalb von d0 als gleich wahrscheinlich. Ausgegeben werden Minima und Maxima mit ihren Spalten,
+Mittel sowie 5-, 50- und 95-%-Quantil, auch der Anteil der Spalte mit einer Stoßzahl e über 1.
+--gap-deviation ergänzt dasselbe für einen normalverteilten Spalt, unter null abgeschnitten.</translation>
     </message>
     <message>
         <source>also print results for a normally distributed gap with this standard deviation</source>
@@ -16076,12 +16071,12 @@ ergänzt dasselbe für einen normalverteilten Spalt; Spalte unter null sind abge
         <translation>mit -o DIR auch Bewegung und Kräfte über der Zeit von Schlag A bis Schlag B schreiben</translation>
     </message>
     <message>
-        <source>print numbers as multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help glossary 2`)</source>
-        <translation>Zahlen als Vielfache der Skalen d0, v0, I0, F0 und t0 eines Schlags ausgeben (`drillwave help glossary 2`)</translation>
+        <source>print dimensionless numbers: multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help glossary 2`)</source>
+        <translation>dimensionslose Zahlen ausgeben: Vielfache der Skalen d0, v0, I0, F0 und t0 eines Schlags (`drillwave help glossary 2`)</translation>
     </message>
     <message>
-        <source>also write one row for each blow to FILE.csv, and the scenario and options to FILE.csv.yaml; with DIR, write the files of a drilling run there; -o - prints the rows</source>
-        <translation>auch eine Zeile je Schlag nach FILE.csv schreiben, Szenario und Optionen nach FILE.csv.yaml; mit DIR die Dateien eines Bohrlaufs dorthin schreiben; -o - druckt die Zeilen</translation>
+        <source>FILE.csv: also write one row per blow, with the settings in FILE.csv.yaml; DIR: write all files of the run into DIR; -o - prints the rows</source>
+        <translation>FILE.csv: auch eine Zeile je Schlag schreiben, die Einstellungen nach FILE.csv.yaml; DIR: alle Dateien des Laufs nach DIR schreiben; -o - gibt die Zeilen aus</translation>
     </message>
     <message>
         <source>vary the blow frequency: short for --along drill.blow_frequency=VALUES</source>
@@ -16136,26 +16131,26 @@ ergänzt dasselbe für einen normalverteilten Spalt; Spalte unter null sind abge
         <translation>Datei oder Ordner für den Bericht; -o - gibt das HTML aus</translation>
     </message>
     <message>
-        <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
-        <translation>die Abbildungen der Veröffentlichung wiedergeben und jede gedruckte Zahl prüfen</translation>
+        <source>reproduce the figures of the paper on which the model is based; compare each number printed there with the exact one</source>
+        <translation>die Abbildungen der Veröffentlichung wiedergeben, auf der das Modell beruht; jede dort gedruckte Zahl mit der exakten vergleichen</translation>
     </message>
     <message>
-        <source>folder to write into; -o - prints only discrepancies.csv</source>
-        <translation>Ordner, in den geschrieben wird; -o - gibt nur discrepancies.csv aus</translation>
+        <source>folder to write into; -o - prints only discrepancies.csv (printed and exact numbers of the paper)</source>
+        <translation>Ordner, in den geschrieben wird; -o - gibt nur discrepancies.csv aus (gedruckte und exakte Zahlen der Veröffentlichung)</translation>
     </message>
     <message>
         <source>compare error and run time of every method and resolution</source>
         <translation>Fehler und Rechenzeit jedes Verfahrens und jeder Auflösung vergleichen</translation>
     </message>
     <message>
-        <source>Solves the blow exactly, in closed form if it applies, and on the paper&apos;s lattice with 100 to
-20000 segments. Compares the errors and run times of these methods, which takes some ten seconds.
-For drill strings, compares the solver of this program (polynomial cells) at several cell sizes
-with a plain lattice.</source>
-        <translation>Löst den Schlag exakt, in geschlossener Form, wenn sie gilt, und mit dem Gitter der
-Veröffentlichung (100 bis 20000 Segmente). Vergleicht Fehler und Rechenzeiten dieser Verfahren;
-das dauert etwa zehn Sekunden. Bei einem Bohrstrang wird das Verfahren dieses Programms
-(polynomiale Zellen) bei mehreren Zellgrößen mit einem einfachen Gitter verglichen.</translation>
+        <source>Solves the blow exactly, in closed form if it applies, and numerically with the rod divided into
+100 to 20000 segments (lattice). Compares errors and run times, which takes some ten seconds. For
+drill strings, compares the solver of this program at several cell sizes with a lattice of
+constant cells.</source>
+        <translation>Löst den Schlag exakt, in geschlossener Form, wenn sie gilt, und numerisch mit der Stange in 100
+bis 20000 Segmenten (Gitter). Vergleicht Fehler und Rechenzeiten; das dauert etwa zehn Sekunden.
+Bei einem Bohrstrang wird das Verfahren dieses Programms bei mehreren Zellgrößen mit einem Gitter
+konstanter Zellen verglichen.</translation>
     </message>
     <message>
         <source>also write the table to accuracy.csv in DIR; -o - prints this CSV instead of the table</source>
@@ -16166,26 +16161,24 @@ das dauert etwa zehn Sekunden. Bei einem Bohrstrang wird das Verfahren dieses Pr
         <translation>das exakte Verfahren an steifen und extremen Fällen prüfen</translation>
     </message>
     <message>
-        <source>Solves some thousand cases: published cases, cases known to break such solvers, each parameter
-through its whole range, and combinations of extreme values for every shape of the blow. The
-checks of each case: momentum and energy are balanced, the rock does not pull, no contact is
-missed after the end, and e hardly changes if a parameter changes by 1e-10. Results are also
-compared with the limits of soft and rigid rock and, if its steps are short enough for the
-contact, with the lattice solver. The stated error is compared with a solution in long double.
-Exit code 6 if any check fails.
-Two ranges are not covered, because their waves have more than 30 million polynomial pieces: beta
-below 1e-6 with gamma below 1, and tau below 0.1 with exponential and piston blows.</source>
-        <translation>Löst einige tausend Fälle: veröffentlichte Fälle, Fälle, an denen solche Verfahren bekanntlich
-scheitern, jeden Parameter durch seinen ganzen Bereich und Kombinationen von Extremwerten für jede
-Form des Schlags. Geprüft wird bei jedem Fall: Impuls und Energie sind ausgeglichen, das Gestein
-zieht nicht, nach dem Ende wird kein Kontakt verpasst, und e ändert sich kaum, wenn sich ein
-Parameter um 1e-10 ändert. Die Ergebnisse werden auch mit den Grenzfällen weiches und starres
-Gestein verglichen und, wenn dessen Schritte für den Kontakt kurz genug sind, mit dem Gitter. Der
-angegebene Fehler wird mit einer Lösung in long double verglichen. Exit-Code 6, wenn eine Prüfung
-fehlschlägt.
-Zwei Bereiche sind nicht abgedeckt, weil ihre Wellen mehr als 30 Millionen Polynomstücke haben:
-beta unter 1e-6 mit gamma unter 1, und tau unter 0,1 bei exponentiellen Schlägen und
-Kolbenschlägen.</translation>
+        <source>Solves some thousand cases: published cases, difficult cases, each parameter through its whole
+range, and extreme combinations for every shape of the blow. Checks that momentum and energy are
+balanced, that the rock does not pull, and that no contact was missed. Also checks that e hardly
+changes if a parameter changes by 1e-10. Compares the results with the limits of soft and rigid
+rock, and with the lattice method if its steps are short enough. Compares the stated error with a
+more precise solution (long double). Exit code 6 if any check fails.
+Two ranges are not covered, because the exact solver would split the waves into more than 30
+million pieces. They are beta below 1e-6 with gamma below 1, and tau below 0.1 with exponential
+and piston blows.</source>
+        <translation>Löst einige tausend Fälle: veröffentlichte Fälle, numerisch schwierige Fälle, jeden Parameter durch seinen ganzen
+Bereich und Kombinationen von Extremwerten für jede Form des Schlags. Prüft bei jedem Fall, dass Impuls und
+Energie ausgeglichen sind, dass das Gestein nicht zieht und dass kein Kontakt verpasst wurde. Prüft auch, dass
+sich e kaum ändert, wenn sich ein Parameter um 1e-10 ändert. Vergleicht die Ergebnisse mit den Grenzfällen weiches
+und starres Gestein und, wenn dessen Zeitschritte kurz genug sind, mit dem Gitterverfahren. Vergleicht den
+angegebenen Fehler mit einer Lösung höherer Genauigkeit (long double). Exit-Code 6, wenn eine Prüfung fehlschlägt.
+Zwei Bereiche sind nicht abgedeckt, weil das exakte Verfahren die Wellen in mehr als 30 Millionen
+Stücke teilen würde. Es sind beta unter 1e-6 mit gamma unter 1, und tau unter 0,1 bei
+exponentiellen Schlägen und Kolbenschlägen.</translation>
     </message>
     <message>
         <source>print one JSON object with all cases</source>
@@ -16260,8 +16253,8 @@ Kolbenschlägen.</translation>
         <translation>größte Kraft im Dämpfer zwischen Maschine und Stange</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
-        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt (d0 = 2 I0/Z; I0: Kraftstoß eines Schlags, Z: Impedanz der Stange)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it. d0 = 2 I0/Z, with the impulse I0 of a blow and the impedance Z of the rod</source>
+        <translation>Kontaktanteil: Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen oder weniger als 0,05 d0 davon entfernt. d0 = 2 I0/Z, mit dem Kraftstoß I0 eines Schlags und der Impedanz Z der Stange</translation>
     </message>
     <message>
         <source>mean number of contacts between bit and rock in a blow</source>
@@ -16290,32 +16283,31 @@ Kolbenschlägen.</translation>
     <message>
         <source>
 drillwave help TOPIC prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
-a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
-the manual or a section of it (help theory 10). For any other word (help feed) it prints the
-places of the manual that contain the word. drillwave version prints the version.
+a parameter (help bit_rock.gamma), an output (help cor) or an option (help --shard). It can be a
+chapter of the manual, or a section of it (help theory 10). For any other word (help feed) it
+prints the places of the manual that contain the word. drillwave version prints the version.
 
 Chapters: %1.
 
 Without a display, the window needs `-platform offscreen`. drillwave --reset-ui opens the window
 with its default layout, page, units and choices. drillwave --language de opens it in German, only
 this time (sv: Swedish, en: English). Commands also have --language; DRILLWAVE_LANGUAGE=de in the
-environment sets it for all of them.
+environment sets the language for all of them.
 
 Exit codes: %2.
 </source>
         <translation>
-drillwave help TOPIC gibt die Hilfe zu einem Befehl aus, wie auch COMMAND --help und -h. TOPIC
-kann auch ein Parameter sein (help bit_rock.gamma), ein Ergebnis (help cor), eine Option (help
---shard), ein Kapitel des Handbuchs oder ein Abschnitt daraus (help theory 10). Zu jedem anderen
-Wort (help Vorschub) gibt es die Stellen des Handbuchs aus, an denen das Wort vorkommt.
-drillwave version gibt die Version aus.
+drillwave help TOPIC gibt die Hilfe zu einem Befehl aus, wie auch COMMAND --help und -h. TOPIC kann auch ein
+Parameter sein (help bit_rock.gamma), ein Ergebnis (help cor) oder eine Option (help --shard). Auch ein Kapitel
+des Handbuchs oder ein Abschnitt daraus ist möglich (help theory 10). Zu jedem anderen Wort (help Vorschub)
+gibt es die Stellen des Handbuchs aus, an denen das Wort vorkommt. drillwave version gibt die Version aus.
 
 Kapitel: %1.
 
-Ohne Bildschirm braucht das Fenster `-platform offscreen`.
-drillwave --reset-ui öffnet das Fenster mit Anordnung, Seite, Einheiten und Auswahl der Vorgabe.
-drillwave --language de öffnet es dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
-Auch Befehle kennen --language; DRILLWAVE_LANGUAGE=de in der Umgebung stellt es für alle ein.
+Ohne Bildschirm braucht das Fenster `-platform offscreen`. drillwave --reset-ui öffnet das Fenster
+mit Anordnung, Seite, Einheiten und Auswahl der Vorgabe. drillwave --language de öffnet es dieses
+eine Mal auf Deutsch (sv: Schwedisch, en: Englisch). Auch Befehle kennen --language;
+DRILLWAVE_LANGUAGE=de in der Umgebung stellt die Sprache für alle ein.
 
 Exit-Codes: %2.
 </translation>
@@ -16325,14 +16317,14 @@ Exit-Codes: %2.
         <translation>die Hilfe zu Befehl, Parameter oder Ergebnis ausgeben, oder ein Kapitel des Handbuchs</translation>
     </message>
     <message>
-        <source>TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a
-parameter (bit_rock.gamma), an output (cor), a symbol (e) or an option (--shard). For any other
-word (feed, units, exit codes), the places of the manual that contain it are printed, the best
-first.</source>
-        <translation>TOPIC ist ein Befehl (run), ein Kapitel des Handbuchs (theory) oder ein Abschnitt daraus (theory
-10), ein Parameter (bit_rock.gamma), ein Ergebnis (cor), ein Formelzeichen (e) oder eine Option
-(--shard). Zu jedem anderen Wort (Vorschub, units, exit codes) werden die Stellen des Handbuchs
-ausgegeben, an denen es vorkommt, die besten zuerst.</translation>
+        <source>TOPIC is a command (run), an option (--shard), a parameter (bit_rock.gamma), an output (cor) or a
+symbol (e). It can also be a chapter of the manual (theory) or a section of it (theory 10). For
+any other word (feed, units, exit codes), the places of the manual that contain it are printed,
+the best first.</source>
+        <translation>TOPIC ist ein Befehl (run), eine Option (--shard), ein Parameter (bit_rock.gamma), ein Ergebnis
+(cor) oder ein Formelzeichen (e). Es kann auch ein Kapitel des Handbuchs sein (theory) oder ein
+Abschnitt daraus (theory 10). Zu jedem anderen Wort (Vorschub, units, exit codes) werden die
+Stellen des Handbuchs ausgegeben, an denen es vorkommt, die besten zuerst.</translation>
     </message>
     <message>
         <source>print the version of the program</source>
@@ -16343,17 +16335,16 @@ ausgegeben, an denen es vorkommt, die besten zuerst.</translation>
         <translation>fertige Zeilen in FILE.csv.partial behalten; nach einer Unterbrechung fährt derselbe Befehl nach ihnen fort</translation>
     </message>
     <message>
-        <source>Writes FILE and its record FILE.yaml as the command would have written them without --shard, and
-ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or a
-folder with all parts, in any order. All parts must come from the same run: same scenario, varied
-parameters, table of cases, build and number of parts. If a part is missing, given twice, from
-another run or changed since it was written, the message names it, with exit code 5.</source>
-        <translation>Schreibt FILE und ihr Protokoll FILE.yaml, wie der Befehl sie ohne --shard geschrieben hätte, und
-endet mit demselben Exit-Code. Ein PART ist eine Datei mit Zeilen und ihrem Protokoll PART.yaml
-daneben, oder ein Ordner mit allen Teilen, in beliebiger Reihenfolge. Alle Teile müssen aus
-demselben Lauf sein: dasselbe Szenario, dieselben veränderten Parameter, dieselbe Tabelle der
-Fälle, dasselbe Programm, dieselbe Zahl der Teile. Fehlt ein Teil, ist er doppelt, aus einem
-anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit-Code 5.</translation>
+        <source>Writes FILE and its description FILE.yaml as one run without --shard would have written them, with
+the same exit code. A PART is a file of rows with PART.yaml beside it, or a folder with all parts,
+in any order. All parts must come from the same run: same scenario, varied parameters, table of
+cases, build and number of parts. If a part is missing, given twice, from another run or changed
+since it was written, the message names it; the exit code is 5.</source>
+        <translation>Schreibt FILE und die Beschreibung FILE.yaml, wie ein Lauf ohne --shard sie geschrieben hätte, mit demselben
+Exit-Code. Ein PART ist eine Datei mit Zeilen und PART.yaml daneben, oder ein Ordner mit allen Teilen, in
+beliebiger Reihenfolge. Alle Teile müssen aus demselben Lauf sein: dasselbe Szenario, dieselben veränderten
+Parameter, dieselbe Tabelle der Fälle, dasselbe Programm, dieselbe Zahl der Teile. Fehlt ein Teil, ist er
+doppelt, aus einem anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung; der Exit-Code ist 5.</translation>
     </message>
     <message>
         <source>list the built-in scenarios, print the named ones, or write them into a folder</source>
@@ -16376,8 +16367,8 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
         <translation>alle Abtastwerte von --signal behalten; in der Vorgabe werden einige weggelassen, solange sich Kraftstoß und Stoßzahl um weniger als 1e-4 ändern</translation>
     </message>
     <message>
-        <source>sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)</source>
-        <translation>Zeichen zwischen den Zellen der Tabelle: tab, semicolon, comma, bar oder blank (Vorgabe: erkannt)</translation>
+        <source>sign between the columns of the table: tab, semicolon, comma, bar (|) or blank (default: detected)</source>
+        <translation>Zeichen zwischen den Spalten der Tabelle: tab, semicolon, comma, bar (|) oder blank (Vorgabe: erkannt)</translation>
     </message>
     <message>
         <source>decimal sign of the table: point or comma (default: detected)</source>
@@ -16424,8 +16415,8 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
         <translation>Speisespannung der Brücke in Volt, für ein Signal in Volt</translation>
     </message>
     <message>
-        <source>bridge factor of the strain gauges: 1 for a quarter bridge, 2 for a half, 4 for a full bridge, 2.6 for a full bridge with Poisson gauges</source>
-        <translation>Brückenfaktor der Dehnungsmessstreifen: 1 für eine Viertelbrücke, 2 für eine Halb-, 4 für eine Vollbrücke, 2.6 für eine Vollbrücke mit Querstreifen</translation>
+        <source>bridge factor of the strain gauges: 1 (quarter bridge), 2 (half bridge), 4 (full bridge) or 2.6 (full bridge with Poisson gauges)</source>
+        <translation>Brückenfaktor der Dehnungsmessstreifen: 1 (Viertelbrücke), 2 (Halbbrücke), 4 (Vollbrücke) oder 2.6 (Vollbrücke mit Querstreifen)</translation>
     </message>
     <message>
         <source>gauge factor of the strain gauges, for a signal in volts or mV/V</source>
@@ -16456,12 +16447,12 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
         <translation>das Vorzeichen des Signals umkehren: sein größter Wert ist Zug (Vorgabe: Druck)</translation>
     </message>
     <message>
-        <source>treatment of rows without a number: refuse the table, or skip these rows (default: refuse)</source>
-        <translation>Behandlung von Zeilen ohne Zahl: refuse (Tabelle ablehnen) oder skip (Zeilen auslassen) (Vorgabe: refuse)</translation>
+        <source>treatment of rows in which a value is not a number: refuse the table, or skip these rows (default: refuse)</source>
+        <translation>Behandlung von Zeilen, in denen ein Wert keine Zahl ist: refuse (Tabelle ablehnen) oder skip (Zeilen auslassen) (Vorgabe: refuse)</translation>
     </message>
     <message>
-        <source>read with the options that `drillwave signal --save-recorder NAME` has saved</source>
-        <translation>mit den Optionen lesen, die `drillwave signal --save-recorder NAME` aufbewahrt hat</translation>
+        <source>read the record with the options that `drillwave signal --save-recorder NAME` has saved</source>
+        <translation>die Aufzeichnung mit den Optionen lesen, die `drillwave signal --save-recorder NAME` aufbewahrt hat</translation>
     </message>
     <message>
         <source>design variable to vary; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: hammer=NAME,NAME</source>
@@ -16473,18 +16464,17 @@ anderen Lauf oder seit dem Schreiben verändert, nennt ihn die Meldung, mit Exit
     </message>
     <message>
         <source>Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns
-and units. If the table does not state something, the last lines ask for it, and the exit code is
-5. Several RECORDs are read as one series and give one row each. Commands that take a scenario can
-use such a record as the blow, with --signal FILE and the same options.</source>
-        <translation>Liest Tabellen eines über der Zeit gemessenen Signals und erkennt Kodierung, Trennzeichen,
-Dezimalzeichen, Spalten und Einheiten. Nennt die Tabelle etwas nicht, fragen die letzten Zeilen
-danach, und der Exit-Code ist 5. Mehrere RECORD werden als eine Reihe gelesen und ergeben je eine
-Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Schlag verwenden, mit
---signal FILE und denselben Optionen.</translation>
+and units. If the table does not state something that is needed, the last lines printed ask for
+it, and the exit code is 5. Several RECORDs are read as one series and give one row each. Commands
+that take a scenario can use such a record as the blow, with --signal FILE and the same options.</source>
+        <translation>Liest Tabellen eines über der Zeit gemessenen Signals und erkennt Kodierung, Trennzeichen, Dezimalzeichen, Spalten
+und Einheiten. Nennt die Tabelle etwas nicht, das gebraucht wird, fragen die letzten ausgegebenen Zeilen danach,
+und der Exit-Code ist 5. Mehrere RECORD werden als eine Reihe gelesen und ergeben je eine Zeile. Befehle, die ein
+Szenario nehmen, können eine solche Aufzeichnung als Schlag verwenden, mit --signal FILE und denselben Optionen.</translation>
     </message>
     <message>
-        <source>save these options under this name, for later use with --recorder NAME</source>
-        <translation>diese Optionen unter diesem Namen aufbewahren, für spätere Aufrufe mit --recorder NAME</translation>
+        <source>save the options for reading the record under this name; --recorder NAME uses them again</source>
+        <translation>die Optionen zum Lesen der Aufzeichnung unter diesem Namen aufbewahren; --recorder NAME verwendet sie wieder</translation>
     </message>
     <message>
         <source>print JSON; for several FILEs, an array</source>
@@ -16503,8 +16493,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>CSV mit Semikolons zwischen den Zellen und Dezimalkommas schreiben</translation>
     </message>
     <message>
-        <source>mean of a normally distributed gap, such as 0.5mm; without physical units in multiples of d0, such as 0.2 (default: the gap of FILE)</source>
-        <translation>Mittel eines normalverteilten Spalts, zum Beispiel 0.5mm; ohne physikalische Einheiten in Vielfachen von d0, zum Beispiel 0.2 (Vorgabe: der Spalt von FILE)</translation>
+        <source>mean of a normally distributed gap, such as 0.5mm (default: the gap of FILE); if FILE has no physical units, a multiple of d0, such as 0.2</source>
+        <translation>Mittel eines normalverteilten Spalts, zum Beispiel 0.5mm (Vorgabe: der Spalt von FILE); wenn FILE keine physikalischen Einheiten hat, ein Vielfaches von d0, zum Beispiel 0.2</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
@@ -16523,20 +16513,20 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Lösungsverfahren: exact, lattice (Zeitschritte) oder closed_form (Vorgabe: exact; bei einer Ergebnisdatei deren Verfahren)</translation>
     </message>
     <message>
-        <source>number of segments into which the lattice method divides the rod (default: 10000, as in the paper)</source>
-        <translation>Zahl der Segmente, in die das Gitterverfahren die Stange teilt (Vorgabe: 10000, wie im Artikel)</translation>
+        <source>number of segments into which the lattice method (time steps) divides the rod (default: 10000)</source>
+        <translation>Zahl der Segmente, in die das Gitterverfahren (Zeitschritte) die Stange teilt (Vorgabe: 10000)</translation>
     </message>
     <message>
-        <source>do not solve a blow that needs more than N wave pieces in the exact solver (default: 1000000, a few seconds at most)</source>
-        <translation>einen Schlag nicht lösen, der im exakten Verfahren mehr als N Wellenstücke braucht (Vorgabe: 1000000, höchstens einige Sekunden)</translation>
+        <source>do not solve a blow whose waves the exact solver must split into more than N pieces (default: 1000000, a few seconds at most)</source>
+        <translation>einen Schlag nicht lösen, dessen Wellen das exakte Verfahren in mehr als N Stücke teilen muss (Vorgabe: 1000000, höchstens einige Sekunden)</translation>
     </message>
     <message>
         <source>outputs to write as columns, listed below (default: cor, the coefficient of restitution)</source>
         <translation>Ergebnisse, die als Spalten geschrieben werden, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
     </message>
     <message>
-        <source>leave the outputs of a row empty if its blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per row)</source>
-        <translation>die Ergebnisse einer Zeile leer lassen, deren Schlag im exakten Verfahren mehr als N Wellenstücke braucht (Vorgabe: 1000000, höchstens etwa 2 s je Zeile)</translation>
+        <source>leave outputs empty if the exact solver must split the waves into more than N pieces (default: 1000000, at most about 2 s per row)</source>
+        <translation>die Ergebnisse einer Zeile leer lassen, wenn das exakte Verfahren die Wellen in mehr als N Stücke teilen muss (Vorgabe: 1000000, höchstens etwa 2 s je Zeile)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
@@ -16551,20 +16541,20 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
     </message>
     <message>
-        <source>skip blows that need more than N wave pieces in the exact solver (default: 1000000)</source>
-        <translation>Schläge auslassen, die im exakten Verfahren mehr als N Wellenstücke brauchen (Vorgabe: 1000000)</translation>
+        <source>skip blows whose waves the exact solver must split into more than N pieces (default: 1000000)</source>
+        <translation>Schläge auslassen, deren Wellen das exakte Verfahren in mehr als N Stücke teilen muss (Vorgabe: 1000000)</translation>
     </message>
     <message>
         <source>output to map, listed below (default: cor, the coefficient of restitution)</source>
         <translation>Ergebnis der Karte, unten aufgelistet (Vorgabe: cor, die Stoßzahl)</translation>
     </message>
     <message>
-        <source>print one JSON object, with the contours, instead of the summary</source>
-        <translation>ein JSON-Objekt mit den Höhenlinien anstelle der Zusammenfassung ausgeben</translation>
+        <source>print the summary and the contours of the map as one JSON object</source>
+        <translation>die Zusammenfassung und die Höhenlinien der Karte als ein JSON-Objekt ausgeben</translation>
     </message>
     <message>
-        <source>skip points whose blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per point)</source>
-        <translation>Punkte auslassen, deren Schlag im exakten Verfahren mehr als N Wellenstücke braucht (Vorgabe: 1000000, höchstens etwa 2 s je Punkt)</translation>
+        <source>skip points for which the exact solver must split the waves into more than N pieces (default: 1000000, at most about 2 s per point)</source>
+        <translation>Punkte auslassen, bei denen das exakte Verfahren die Wellen in mehr als N Stücke teilen muss (Vorgabe: 1000000, höchstens etwa 2 s je Punkt)</translation>
     </message>
     <message>
         <source>number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)</source>
@@ -16579,12 +16569,12 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Zahlen in SI-Einheiten ausgeben (Vorgabe)</translation>
     </message>
     <message>
-        <source>refuse a computation of more than N steps, counted as time steps times section ends (default: 4e9)</source>
-        <translation>eine Rechnung mit mehr als N Schritten ablehnen; sie zählen als Zeitschritte mal Abschnittsenden (Vorgabe: 4e9)</translation>
+        <source>refuse a computation if its number of time steps times its number of section ends is above N (default: 4e9)</source>
+        <translation>eine Rechnung ablehnen, wenn die Zahl der Zeitschritte mal die Zahl der Abschnittsenden über N liegt (Vorgabe: 4e9)</translation>
     </message>
     <message>
-        <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>
-        <translation>diesen Parameter verändern und eine Tabelle darüber ergänzen; VALUES ist START:STOP[:COUNT], START:STOP[:COUNT]:log (gleiche Verhältnisse) oder A,B,C (Vorgabe für COUNT: 101, oder jede ganze Zahl)</translation>
+        <source>also print a table over the values of this parameter. VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C. Default COUNT: 101, or every integer if the parameter is an integer</source>
+        <translation>auch eine Tabelle über die Werte dieses Parameters ausgeben. VALUES ist START:STOP[:COUNT], START:STOP[:COUNT]:log (gleiche Verhältnisse) oder A,B,C. Vorgabe für COUNT: 101, oder jede ganze Zahl bei ganzzahligen Parametern</translation>
     </message>
     <message>
         <source>number of processor threads for --along (default: all)</source>
@@ -16603,8 +16593,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Formate der Abbildungen (Vorgabe: png,svg)</translation>
     </message>
     <message>
-        <source>segment counts of the lattice method to compare, such as 100,1000 (default: from 100 to 20000)</source>
-        <translation>Segmentzahlen des Gitterverfahrens, die verglichen werden, etwa 100,1000 (Vorgabe: von 100 bis 20000)</translation>
+        <source>numbers of rod segments to compare in the lattice method (time steps), such as 100,1000 (default: from 100 to 20000)</source>
+        <translation>Segmentzahlen der Stange, die im Gitterverfahren (Zeitschritte) verglichen werden, etwa 100,1000 (Vorgabe: von 100 bis 20000)</translation>
     </message>
     <message>
         <source>limit the work of the lattice method, counted as time steps times segments (default: 1000000000, about half a minute)</source>
@@ -16615,8 +16605,8 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>Steifigkeit und Elastizität des Gesteins aus Dehnungsmessstreifen, mit Unsicherheit</translation>
     </message>
     <message>
-        <source>also write tables, random samples of the rock and the scenario with the identified rock into DIR</source>
-        <translation>auch Tabellen, zufällige Stichproben des Gesteins und das Szenario mit dem bestimmten Gestein nach DIR schreiben</translation>
+        <source>also write tables, random samples of the rock, and the scenario with the rock that was found, into DIR</source>
+        <translation>auch Tabellen, zufällige Stichproben des Gesteins sowie das Szenario mit dem gefundenen Gestein nach DIR schreiben</translation>
     </message>
     <message>
         <source>limit: accept only designs for which this statistic of the output is at most VALUE</source>
@@ -16631,20 +16621,20 @@ Zeile. Befehle, die ein Szenario nehmen, können eine solche Aufzeichnung als Sc
         <translation>diese Aufzeichnungen von Dehnungsmessstreifen lesen; mehrere in ihrer Folge im Bohrloch angeben</translation>
     </message>
     <message>
-        <source>column of a gauge and its distance from the bit face, once or twice; A+B@… takes the mean of two gauges on opposite sides</source>
-        <translation>Spalte einer Messstelle und ihr Abstand von der Kronenstirn, ein- oder zweimal; A+B@… nimmt das Mittel zweier Messstreifen auf gegenüberliegenden Seiten</translation>
+        <source>column of a gauge and its distance from the bit face; give one or two gauges. A+B@… takes the mean of two gauges on opposite sides</source>
+        <translation>Spalte einer Messstelle und ihr Abstand von der Kronenstirn; eine oder zwei Messstellen angeben. A+B@… nimmt das Mittel zweier Messstreifen auf gegenüberliegenden Seiten</translation>
     </message>
     <message>
-        <source>tolerance of an input that is known: KEY (gain, zero, gauge or a size) is within +-TOL of its value with 95 % probability; see the description of the command</source>
-        <translation>Toleranz einer bekannten Eingabe: KEY (gain, zero, gauge oder ein Maß) liegt mit 95&#xa0;% Wahrscheinlichkeit um höchstens +-TOL neben seinem Wert; siehe die Beschreibung des Befehls</translation>
+        <source>95 % tolerance of a known input: KEY (gain, zero, gauge or a dimension) is within +-TOL of its value; see the description of the command</source>
+        <translation>95-%-Toleranz einer bekannten Eingabe: KEY (gain, zero, gauge oder ein Maß) liegt um höchstens +-TOL neben seinem Wert; siehe die Beschreibung des Befehls</translation>
     </message>
     <message>
         <source>support behind the rock or specimen: rigid, or bar if the specimen is between two equal bars (default: rigid)</source>
         <translation>Auflage hinter Gestein oder Probe: rigid (starr), oder bar, wenn die Probe zwischen zwei gleichen Stäben liegt (Vorgabe: rigid)</translation>
     </message>
     <message>
-        <source>predict the wave at a second gauge, DISTANCE behind the specimen on the bar there, and print the error; needs --backing bar</source>
-        <translation>die Welle an einer zweiten Messstelle vorhersagen, im Abstand DISTANCE hinter der Probe auf dem Stab dort, und den Fehler ausgeben; braucht --backing bar</translation>
+        <source>predict the wave at a gauge on the bar behind the specimen, DISTANCE away from the specimen, and print the error; needs --backing bar</source>
+        <translation>die Welle an einer Messstelle auf dem Stab hinter der Probe vorhersagen, im Abstand DISTANCE von der Probe, und den Fehler ausgeben; braucht --backing bar</translation>
     </message>
     <message>
         <source>correction for the dispersion of waves between gauge and bit: fit (estimated from the record), bar (theory of a round bar) or none (default: fit)</source>
@@ -16680,16 +16670,16 @@ Abschnitte, maßstäblich gezeichnet, mit ihren größten Spannungen.</translati
         <translation>Studien in den Bericht aufnehmen: drill (aufeinanderfolgende Schläge), design (beste Auslegung, nach dem Block `design` von FILE)</translation>
     </message>
     <message>
-        <source>number of threads for the studies of --with (default: all)</source>
-        <translation>Zahl der Threads für die Studien von --with (Vorgabe: alle)</translation>
+        <source>number of processor threads for the studies added by --with (default: all)</source>
+        <translation>Zahl der Threads für die Studien, die --with hinzufügt (Vorgabe: alle)</translation>
     </message>
     <message>
         <source>feed force that single blows require, and whether the installed one is sufficient</source>
         <translation>Andruck, den einzelne Schläge erfordern, und ob der angegebene ausreicht</translation>
     </message>
     <message>
-        <source>with -o, also write the strain that a gauge at this distance from the bit face would record; COLUMN names it</source>
-        <translation>mit -o auch die Dehnung schreiben, die eine Messstelle in diesem Abstand von der Kronenstirn aufzeichnen würde; COLUMN benennt sie</translation>
+        <source>with -o, also write the strain that a gauge at this distance from the bit face would record, in a column named COLUMN</source>
+        <translation>mit -o auch die Dehnung schreiben, die eine Messstelle in diesem Abstand von der Kronenstirn aufzeichnen würde, in einer Spalte mit dem Namen COLUMN</translation>
     </message>
     <message>
         <source>white noise to add to --record, in % of its largest strain (default: 0%)</source>
@@ -16703,49 +16693,48 @@ Abschnitte, maßstäblich gezeichnet, mit ihren größten Spannungen.</translati
         <source>-o DIR writes scenario.yaml, summary.json, histories.csv and events.csv; each of them contains the
 scenario, so that `drillwave run` can run it again. With --plots, it also writes the plots blow.*,
 rock.*, wave_picture.* and rod.*. For drill strings, the histories are taken at the middle of the
-longest section. To rehearse a measurement for `identify`, --record near@1.13m --record far@2.93m
---noise 1% also writes record.csv, the strain that two gauges would record in 1e6 samples per
-second. --record top+bottom@1.13m records two gauges on opposite sides of the rod, each with its
-own noise.</source>
+longest section. To rehearse a measurement for `identify`, add --record near@1.13m --record
+far@2.93m --noise 1%. This also writes record.csv, the strain that two gauges would record in 1e6
+samples per second. --record top+bottom@1.13m records two gauges on opposite sides of the rod,
+each with its own noise.</source>
         <translation>-o DIR schreibt scenario.yaml, summary.json, histories.csv und events.csv; jede dieser Dateien
 enthält das Szenario, so dass `drillwave run` sie wieder rechnen kann. Mit --plots werden auch die
-Diagramme blow.*, rock.*, wave_picture.* und rod.* geschrieben. Bei Bohrsträngen stehen die
-Verläufe für die Mitte des längsten Abschnitts. Um eine Messung für `identify` zu erproben,
-schreibt --record near@1.13m --record far@2.93m --noise 1% auch record.csv, die Dehnung, die zwei
-Messstellen mit 1e6 Abtastwerten je Sekunde aufzeichnen würden. --record oben+unten@1.13m zeichnet
-zwei Messstellen auf gegenüberliegenden Seiten der Stange auf, jede mit eigenem Rauschen.</translation>
+Diagramme blow.*, rock.*, wave_picture.* und rod.* geschrieben. Bei Bohrsträngen stehen die Verläufe
+für die Mitte des längsten Abschnitts. Um eine Messung für `identify` zu erproben, --record
+near@1.13m --record far@2.93m --noise 1% hinzufügen. Das schreibt auch record.csv, die Dehnung, die
+zwei Messstellen mit 1e6 Abtastwerten je Sekunde aufzeichnen würden. --record oben+unten@1.13m
+zeichnet zwei Messstellen auf gegenüberliegenden Seiten der Stange auf, jede mit eigenem Rauschen.</translation>
     </message>
     <message>
-        <source>Solves every design, that is, every combination of the --choose values, with the same random
-samples of the uncertain inputs. Prints which design is best over all samples (best for uncertain
-rock) and which is best with the inputs of FILE (best for the values entered), both by the first
---aim. Also prints which designs are equally good within the errors, which input to measure first,
-and the worst case found in the ranges. The first sentence includes a warning if the recommended
-design exceeds a strength.
+        <source>Solves every design (every combination of the --choose values) with the same samples of the
+uncertain inputs. Prints the best design over all samples (best for uncertain rock) and the
+best with the inputs of FILE (best for the values entered). The first --aim decides both. Also
+prints which designs are equally good within the errors, which input to measure first, and the
+worst case in the ranges. The first sentence warns if the recommended design exceeds a
+strength.
   --uncertain KEY=LOW:HIGH   all values from LOW to HIGH equally likely; with :log, equally likely
-                             in the logarithm; with :normal or :lognormal, a normal distribution
-                             with 95 % of the values from LOW to HIGH
-  --uncertain KEY=+-P%       range around the value of FILE, or of the design
-  --choose hammer=NAME,NAME  hammer presets by name, or all of them: hammer=all; also rod=. For
-                             drill strings, hammer= takes pistons, and bit= takes bits
+                             on a logarithmic scale. With :normal or :lognormal, a normal or
+                             lognormal distribution with 95 % of the values from LOW to HIGH
+  --uncertain KEY=+-P%       P % to either side of the value in FILE, or of the --choose value
+  --choose hammer=NAME,NAME  hammer presets by name, or hammer=all for all of them; rod= works in the
+                             same way. For drill strings, hammer= takes pistons, and bit= takes bits
 A STATISTIC is mean, q01 to q99 (quantiles), min, max or nominal (with the inputs of FILE).
 Without --aim, the objectives are max:efficiency@q05 and, if FILE has a blow frequency,
 min:thrust@q95. Options that are not given are taken from the block `design` of FILE. -o DIR
 writes designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with
 --plots, design.png.</source>
-        <translation>Löst jede Auslegung, also jede Kombination der Werte von --choose, mit denselben zufälligen
-Stichproben der unsicheren Größen. Gibt aus, welche Auslegung über alle Stichproben die beste ist
-(beste für unsicheres Gestein) und welche mit den Eingaben von FILE (beste für die eingegebenen
-Werte), beides nach dem ersten --aim. Gibt auch aus, welche Auslegungen im Rahmen der Fehler
-gleich gut sind, welche Größe zuerst zu messen ist, und den schlechtesten Fall, der in den
-Bereichen gefunden wurde. Der erste Satz enthält eine Warnung, wenn die empfohlene Auslegung eine
-Festigkeit überschreitet.
+        <translation>Löst jede Auslegung (jede Kombination der Werte von --choose) mit denselben zufälligen Stichproben
+der unsicheren Größen. Gibt die beste Auslegung über alle Stichproben aus (beste für unsicheres
+Gestein) und die beste mit den Eingaben von FILE (beste für die eingegebenen Werte). Über beide
+entscheidet das erste --aim. Gibt auch aus, welche Auslegungen im Rahmen der Fehler gleich gut
+sind, welche Größe zuerst zu messen ist, und den schlechtesten Fall in den Bereichen. Der erste
+Satz warnt, wenn die empfohlene Auslegung eine Festigkeit überschreitet.
   --uncertain KEY=LOW:HIGH   alle Werte von LOW bis HIGH gleich wahrscheinlich; mit :log gleich
-                             wahrscheinlich im Logarithmus; mit :normal oder :lognormal eine
-                             Normalverteilung mit 95&#xa0;% der Werte von LOW bis HIGH
-  --uncertain KEY=+-P%       Bereich um den Wert von FILE oder der Auslegung
-  --choose hammer=NAME,NAME  Voreinstellungen des Hammers mit Namen, oder alle: hammer=all; auch
-                             rod=. Bei Bohrsträngen nimmt hammer= Kolben und bit= Bohrkronen
+                             wahrscheinlich auf logarithmischer Skala. Mit :normal oder :lognormal
+                             eine Normal- oder Lognormalverteilung mit 95&#xa0;% der Werte von LOW bis HIGH
+  --uncertain KEY=+-P%       P&#xa0;% nach beiden Seiten vom Wert in FILE oder vom Wert von --choose
+  --choose hammer=NAME,NAME  Voreinstellungen des Hammers mit Namen, oder alle mit hammer=all;
+                             ebenso rod=. Bei Bohrsträngen nimmt hammer= Kolben und bit= Bohrkronen
 Eine STATISTIC ist mean, q01 bis q99 (Quantile), min, max oder nominal (mit den Eingaben von
 FILE). Ohne --aim sind die Zielgrößen max:efficiency@q05 und, wenn FILE eine Schlagfrequenz hat,
 min:thrust@q95. Optionen, die nicht angegeben sind, werden aus dem Block `design` von FILE
@@ -16768,48 +16757,46 @@ Abschnitte von Bohrsträngen: auf der Seite Strang des Fensters einsetzen.</tran
         <translation>die Dateien des Laufs nach DIR schreiben; -o - schreibt keine</translation>
     </message>
     <message>
-        <source>write the rows to FILE.csv, with their record FILE.csv.yaml beside it; -o - prints the rows (default)</source>
-        <translation>die Zeilen nach FILE.csv schreiben, mit ihrem Protokoll FILE.csv.yaml daneben; -o - gibt die Zeilen aus (Vorgabe)</translation>
+        <source>write the rows to FILE.csv, and the settings of the run to FILE.csv.yaml; -o - prints the rows (default)</source>
+        <translation>die Zeilen nach FILE.csv schreiben und die Einstellungen des Laufs nach FILE.csv.yaml; -o - gibt die Zeilen aus (Vorgabe)</translation>
     </message>
     <message>
-        <source>Follows outputs over a whole range of a parameter, between any grid points, and finds every kink
-and jump. For each output, prints where it is smallest and largest, its local extremes, its kinks
-and jumps, and where it crosses a --level, all with their errors. If this needs too much computing
-for an output, it is solved only at single points, and the table says so.
---goal X prints the values of the parameter at which the output is X, each with its error, and
-whether there may be others. If no value gives X, it prints the value that comes nearest. Values
-carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
-        <translation>Verfolgt Ergebnisse über einen ganzen Bereich eines Parameters, auch zwischen den Punkten jedes
-Rasters, und findet jeden Knick und Sprung. Gibt für jedes Ergebnis aus, wo es am kleinsten und am
-größten ist, seine lokalen Extreme, Knicke und Sprünge, und wo es einen Wert von --level kreuzt,
-jeweils mit Fehler. Braucht das bei einem Ergebnis zu viel Rechnung, wird es nur an einzelnen
-Punkten gelöst, und die Tabelle sagt das.
---goal X gibt die Werte des Parameters aus, bei denen das Ergebnis X ist, jeden mit Fehler, und ob
-es weitere geben kann. Ergibt kein Wert X, gibt es den Wert aus, der am nächsten kommt. Werte
-haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+        <source>Follows outputs continuously over the range of a parameter, and finds every kink and jump. For
+each output, prints where it is smallest and largest, its other minima and maxima, its kinks and
+its jumps. Also prints where the output crosses a --level. All values have errors. If following an
+output takes too much computing, it is solved only at single points, and the table says so.
+--goal X prints every value of the parameter at which the output is X, with its error, and whether
+there may be others. If no value gives X, prints the output nearest to X and where it occurs. Give
+values with units if the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Verfolgt Ergebnisse stetig über den Bereich eines Parameters und findet jeden Knick und Sprung. Gibt für
+jedes Ergebnis aus, wo es am kleinsten und am größten ist, seine anderen Minima und Maxima, seine Knicke
+und Sprünge. Gibt auch aus, wo das Ergebnis einen Wert von --level kreuzt. Alle Werte haben Fehler. Braucht
+das bei einem Ergebnis zu viel Rechnung, wird es nur an einzelnen Punkten gelöst, und die Tabelle sagt das.
+--goal X gibt jeden Wert des Parameters aus, bei dem das Ergebnis X ist, mit Fehler, und ob es weitere
+geben kann. Ergibt kein Wert X, gibt es das Ergebnis aus, das X am nächsten kommt, und wo es auftritt.
+Werte mit Einheit angeben, wenn der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock, from the
-waves that strain gauges record on the rod, or on the last rod of a string. Prints the values with
-their 95 % intervals, what
-limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law
-file. --known KEY=+-TOL states how well the inputs are known:
+        <source>Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock. Uses the
+waves recorded by strain gauges on the rod, or on the last rod of a string. Prints the values
+with their 95 % intervals, what limits their accuracy, and what to measure better. The rock of
+FILE (bit_rock) is used only with --law file. --known KEY=+-TOL states how well the inputs are
+known:
   --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak
   --known gauge=+-2mm           distance of the gauges from the bit face
-  --known rod.diameter=+-0.1mm  a size of the section with the gauge, or of a section between
+  --known rod.diameter=+-0.1mm  a dimension of the section with the gauge, or of a section between
                                 gauge and bit
 Records are read with the options of `signal`. -o DIR writes identified.yaml, posterior.csv
 (random samples of the rock for design --draws), match.csv, force_penetration.csv, incident.csv,
 identify.json and, for several records, records.csv. Exit code 0: stiffness or gamma is known.
 Exit code 6: neither is known, or the record contradicts the model. The intervals can be too
-narrow if the rock does not load along one straight line and unload along another (commands
+narrow if the loading or the unloading curve of the rock is not a straight line (commands
 §4.17).</source>
         <translation>Bestimmt Steifigkeit und Elastizität (gamma) des Gesteins und den Spalt zwischen Bohrkrone und
-Gestein aus den Wellen, die
-Dehnungsmessstreifen auf der Stange oder auf der letzten Stange eines Strangs aufzeichnen. Gibt
-die Werte mit ihren 95&#xa0;%-Intervallen aus, was ihre Genauigkeit begrenzt und was besser zu messen
-ist. bit_rock von FILE wird nur mit --law file verwendet. --known KEY=+-TOL sagt, wie genau die
-Eingaben bekannt sind:
+Gestein. Verwendet die Wellen, die Dehnungsmessstreifen auf der Stange oder auf der letzten Stange
+eines Strangs aufzeichnen. Gibt die Werte mit ihren 95&#xa0;%-Intervallen aus, was ihre Genauigkeit
+begrenzt und was besser zu messen ist. Das Gestein von FILE (bit_rock) wird nur mit --law file
+verwendet. --known KEY=+-TOL sagt, wie genau die Eingaben bekannt sind:
   --known gain=+-5% zero=+-1%   Verstärkung des Verstärkers und seine Nulllinie in % der Spitze
   --known gauge=+-2mm           Abstand der Messstellen von der Kronenstirn
   --known rod.diameter=+-0.1mm  ein Maß des Abschnitts mit der Messstelle oder eines Abschnitts
@@ -16818,12 +16805,12 @@ Aufzeichnungen werden mit den Optionen von `signal` gelesen. -o DIR schreibt ide
 posterior.csv (Stichproben des Gesteins für design --draws), match.csv, force_penetration.csv,
 incident.csv, identify.json und bei mehreren Aufzeichnungen records.csv. Exit-Code 0: Steifigkeit
 oder gamma ist bekannt. Exit-Code 6: keines von beiden ist bekannt, oder die Aufzeichnung
-widerspricht dem Modell. Die Intervalle können zu eng sein, wenn das Gestein nicht längs einer
-Geraden be- und längs einer anderen entlastet (commands §4.17).</translation>
+widerspricht dem Modell. Die Intervalle können zu eng sein, wenn die Belastungs- oder die
+Entlastungskurve des Gesteins keine Gerade ist (commands §4.17).</translation>
     </message>
     <message>
-        <source>rock law to fit to the record: auto, bilinear or corner; file checks the law given in FILE without a fit (default: auto)</source>
-        <translation>Gesetz des Gesteins für die Anpassung: auto, bilinear oder corner; file prüft das Gesetz in FILE ohne Anpassung (Vorgabe: auto)</translation>
+        <source>rock law to fit: bilinear (straight loading curve), corner (one corner in it) or auto (either); file checks the law given in FILE without a fit (default: auto)</source>
+        <translation>Gesetz des Gesteins für die Anpassung: bilinear (gerade Belastungskurve), corner (mit einer Ecke) oder auto (eines von beiden); file prüft das Gesetz in FILE ohne Anpassung (Vorgabe: auto)</translation>
     </message>
     <message>
         <source>date printed in the report, any text (default: none)</source>
@@ -16834,34 +16821,33 @@ Geraden be- und längs einer anderen entlastet (commands §4.17).</translation>
         <translation>keine Diagramme und kein PDF schreiben; dann ist kein Bildschirm nötig</translation>
     </message>
     <message>
-        <source>Writes into DIR the data of Figs 3 to 8 of the paper as CSV, the figures as pictures, and
-discrepancies.csv, which compares each number printed in the paper with the exact one. index.html
-shows all of them. The reference curves of the paper are written twice, because its plots and its
-text scale stiffness differently: with k0 = Z/(2T), as in the plots, and with k0 = Z/t0, as in the
-text. Z is the impedance of the rod, T the time of a wave along the rod, t0 the duration of the
+        <source>Writes into DIR the data of Figs 3 to 8 of the paper on which the model is based, as CSV and
+as pictures. discrepancies.csv compares each number printed in that paper with the exact one.
+index.html shows all of them. The reference curves are written twice, because the paper
+scales stiffness in two ways: by k0 = Z/(2T) in its plots, by k0 = Z/t0 in its text. Z is the
+impedance of the rod, T the time that a wave takes along the rod, t0 the duration of the
 blow.</source>
-        <translation>Schreibt nach DIR die Daten der Abbildungen 3 bis 8 der Veröffentlichung als CSV, die Abbildungen
-als Bilder und discrepancies.csv, das jede dort gedruckte Zahl mit der exakten vergleicht.
-index.html zeigt alles. Die Referenzkurven gibt es zweimal, weil die Diagramme und der Text der
-Veröffentlichung die Steifigkeit verschieden skalieren: mit k0 = Z/(2T) wie in den Diagrammen und
-mit k0 = Z/t0 wie im Text. Z ist die Impedanz der Stange, T die Laufzeit einer Welle durch die
-Stange, t0 die Dauer des Schlags.</translation>
+        <translation>Schreibt nach DIR die Daten der Abbildungen 3 bis 8 der Veröffentlichung, auf der das Modell
+beruht, als CSV und als Bilder. discrepancies.csv vergleicht jede dort gedruckte Zahl mit der
+exakten. index.html zeigt alles. Die Referenzkurven gibt es zweimal, weil die Veröffentlichung die
+Steifigkeit auf zwei Arten skaliert: mit k0 = Z/(2T) in den Diagrammen und mit k0 = Z/t0 im Text.
+Z ist die Impedanz der Stange, T die Laufzeit einer Welle durch die Stange, t0 die Dauer des
+Schlags.</translation>
     </message>
     <message>
         <source>Simulates consecutive blows. The residual waves and the motion of the machine on its damper carry
 over from one blow to the next; each blow meets new rock. Prints penetration and penetration rate
-with their errors, the share of blows that start with the bit on the rock, whether the motion
-repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust, the feed
-force. Penetrations are upper limits, because all rock under the bit is assumed to break.
+with their errors, and the share of blows that start with the bit on the rock. Also prints whether
+the motion repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust,
+the feed force. Penetrations are upper limits, because all rock under the bit is assumed to break.
 --scan compares values of a parameter. Each value is simulated twice: starting at rest and
 starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into
 DIR, with --histories also histories.csv, with --plots also drilling.png.</source>
-        <translation>Simuliert aufeinanderfolgende Schläge. Die Restwellen und die Bewegung der Maschine auf ihrem
-Dämpfer gehen von einem Schlag in den nächsten über; jeder Schlag trifft neues Gestein. Gibt
-Eindringung und Bohrfortschritt mit ihren Fehlern aus, den Anteil der Schläge, die mit der
-Bohrkrone am Gestein beginnen, ob sich die Bewegung wiederholt und wohin die Energie geht. FILE
-braucht drill.blow_frequency und drill.thrust, den Andruck. Eindringungen sind obere Grenzen, weil
-angenommen wird, dass alles Gestein unter der Krone bricht.
+        <translation>Simuliert aufeinanderfolgende Schläge. Die Restwellen und die Bewegung der Maschine auf ihrem Dämpfer gehen von
+einem Schlag in den nächsten über; jeder Schlag trifft neues Gestein. Gibt Eindringung und Bohrfortschritt mit
+ihren Fehlern aus und den Anteil der Schläge, die mit der Bohrkrone am Gestein beginnen. Gibt auch aus, ob sich
+die Bewegung wiederholt und wohin die Energie geht. FILE braucht drill.blow_frequency und drill.thrust, den
+Andruck. Eindringungen sind obere Grenzen, weil angenommen wird, dass alles Gestein unter der Krone bricht.
 --scan vergleicht Werte eines Parameters. Jeder Wert wird zweimal simuliert: mit einem Anfang aus
 der Ruhe und mit springender Maschine. -o DIR schreibt scenario.yaml, summary.json und blows.csv
 nach DIR, mit --histories auch histories.csv, mit --plots auch drilling.png.</translation>
@@ -16871,42 +16857,42 @@ nach DIR, mit --histories auch histories.csv, mit --plots auch drilling.png.</tr
         <translation>diesen Parameter variieren; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C; Voreinstellungen vergleichen: rock=all, oder rock=, hammer=, rod= oder bit= mit ihren Namen</translation>
     </message>
     <message>
-        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
-this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
-(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
-I0 the impulse of a blow and e the coefficient of restitution:
+        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases: this
+blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst gap. The worst gap
+requires the highest feed force on elastic rock (gamma = 1). In the columns of the table (theory
+§10), f is the blow frequency, I0 the impulse of a blow and e the coefficient of restitution:
   required        f I0 (1 + e), the feed force that balances the blows
   return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
                   before the next blow
   margin          effective over required feed force, less 1
-  enough up to    highest blow frequency at which the effective feed force is not below the
-                  required one
+  enough up to    highest blow frequency at which the effective feed force still
+                  reaches the required one
 If the feed force is below f I0, the blows push the machine back. The effective feed force is the
 installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
 hole is added. For consecutive blows, use `drillwave drill`; its --scan
-drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+drill.thrust=START:STOP:COUNT shows the effect of more feed force. FILE must have physical units
 and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
 I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
-        <translation>Schätzt aus einzelnen Schlägen, ob der angegebene Andruck ausreicht. Gibt vier Fälle aus: dieser
-Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der Spalt
-auf elastischem Gestein (gamma = 1), der am meisten erfordert. In den Spalten der Tabelle (theory
-§10) ist f die Schlagfrequenz, I0 der Kraftstoß eines Schlags und e die Stoßzahl:
+        <translation>Schätzt aus einzelnen Schlägen, ob der angegebene Andruck ausreicht. Gibt vier Fälle aus: diesen
+Schlag, 95&#xa0;% aller Spalte zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und den ungünstigsten
+Spalt. Dieser erfordert auf elastischem Gestein (gamma = 1) den höchsten Andruck. In den Spalten der
+Tabelle (theory §10) ist f die Schlagfrequenz, I0 der Kraftstoß eines Schlags und e die Stoßzahl:
   erforderlich   f I0 (1 + e), der Andruck, der die Schläge ausgleicht
   Rückkehr       f I0 (1 + 2e), der Andruck, der eine ungedämpfte starre Stange vor dem nächsten
                  Schlag zum Gestein zurückbringt
   Reserve        wirksamer durch erforderlichen Andruck, weniger 1
-  reicht bis     höchste Schlagfrequenz, bei der der wirksame Andruck nicht unter dem
-                 erforderlichen liegt
-Liegt der Andruck unter f I0, drücken die Schläge die Maschine zurück. Der wirksame Andruck ist
-der angegebene; ist drill.inclination angegeben, kommt das Gewicht von Stange und
-drill.machine_mass längs des Lochs hinzu. Für aufeinanderfolgende Schläge `drillwave drill`
-verwenden; dessen --scan drill.thrust=START:STOP:COUNT zeigt, was mehr Andruck bringt. FILE braucht physikalische Einheiten und drill.blow_frequency; Reserven brauchen
-drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der Kraftstoß, den der Hammer
-überträgt, und es werden nur dieser Schlag und starres Gestein ausgegeben.</translation>
+  reicht bis     höchste Schlagfrequenz, bei der der wirksame Andruck den
+                 erforderlichen noch erreicht
+Liegt der Andruck unter f I0, drücken die Schläge die Maschine zurück. Der wirksame Andruck ist der
+angegebene; ist drill.inclination angegeben, kommt das Gewicht von Stange und drill.machine_mass längs des
+Lochs hinzu. Für aufeinanderfolgende Schläge `drillwave drill` verwenden; dessen --scan
+drill.thrust=START:STOP:COUNT zeigt die Wirkung von mehr Andruck. FILE braucht physikalische Einheiten und
+drill.blow_frequency; Reserven brauchen drill.thrust, den angegebenen Andruck. Bei Bohrsträngen ist I0 der
+Kraftstoß, den der Hammer überträgt, und es werden nur dieser Schlag und starres Gestein ausgegeben.</translation>
     </message>
     <message>
-        <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
-        <translation>Auslegungen mit ihrer eigenen Schlagenergie vergleichen, auch wenn FILE keep_energy setzt</translation>
+        <source>compare each design at its own blow energy, even if FILE sets keep_energy (the same energy for all designs)</source>
+        <translation>jede Auslegung mit ihrer eigenen Schlagenergie vergleichen, auch wenn FILE keep_energy setzt (gleiche Energie für alle Auslegungen)</translation>
     </message>
     <message>
         <source>effective feed force divided by the mean force of the blows (phi); below 1 the blows push the machine back</source>

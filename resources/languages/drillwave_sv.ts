@@ -1123,7 +1123,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>compression, after</source>
-        <translation>tryck i kvarvarande vågor</translation>
+        <translation>tryck i restvågor</translation>
     </message>
     <message>
         <source>compression, blow</source>
@@ -1363,7 +1363,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>largest compression of the residual waves, undamped</source>
-        <translation>största tryck i de kvarvarande vågorna, odämpat</translation>
+        <translation>största tryck i restvågorna, odämpat</translation>
     </message>
     <message>
         <source>largest impact force</source>
@@ -1383,7 +1383,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>largest tension of the residual waves, undamped</source>
-        <translation>största drag i de kvarvarande vågorna, odämpat</translation>
+        <translation>största drag i restvågorna, odämpat</translation>
     </message>
     <message>
         <source>last separation</source>
@@ -1571,7 +1571,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>tension, after</source>
-        <translation>drag i kvarvarande vågor</translation>
+        <translation>drag i restvågor</translation>
     </message>
     <message>
         <source>tension, blow</source>
@@ -2614,8 +2614,8 @@ Ta bort ändå?</translation>
         <translation>varv fram och åter från slag till slag</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
-        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z; I0: ett slags impuls, Z: stångens impedans)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it. d0 = 2 I0/Z, with the impulse I0 of a blow and the impedance Z of the rod</source>
+        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det. d0 = 2 I0/Z, med slagets impuls I0 och stångens impedans Z</translation>
     </message>
     <message>
         <source>standard deviation of the gap between bit and rock at the start of the blows</source>
@@ -3384,11 +3384,11 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     </message>
     <message>
         <source>Identify reads stiffness and elasticity of the rock, and the gap between bit and rock, from strain gauges on the rod. Open a record of one blow, or of several blows along a hole.</source>
-        <translation>Sidan Identifiera bestämmer bergets styvhet och elasticitet och spalten mellan borrkrona och berg ur töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
+        <translation>Sidan Identifiera bestämmer bergets styvhet och elasticitet och spalten mellan borrkrona och berg ur mätningar med töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
     </message>
     <message>
         <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
-        <translation>Det största trycket är %1 (%2), det största draget %3 (%4).</translation>
+        <translation>Den största tryckspänningen är %1 (%2), den största dragspänningen %3 (%4).</translation>
     </message>
     <message>
         <source>x/L = %1</source>
@@ -3671,8 +3671,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
     </message>
     <message>
-        <source>To mark a time, click an event or press T over the plots.</source>
-        <translation>Markera en tid: klicka på en händelse eller tryck T över diagrammen.</translation>
+        <source>To mark a time, press T over the plots or click an event in Result.</source>
+        <translation>Markera en tid: tryck T över diagrammen eller klicka på en händelse i resultatet.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -3699,8 +3699,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Den största kraften mot berget är %1, vid %2.</translation>
     </message>
     <message>
-        <source>At %1, the force is between %2 (compression) and %3 (tension).</source>
-        <translation>Vid %1 ligger kraften mellan %2 (tryck) och %3 (drag).</translation>
+        <source>At %1, the force in this plot is between %2 (compression) and %3 (tension).</source>
+        <translation>Vid %1 ligger kraften i detta diagram mellan %2 (tryck) och %3 (drag).</translation>
     </message>
     <message>
         <source>Section at which the waves are shown: 0 is the struck end, 1 the bit.
@@ -3753,7 +3753,7 @@ N₀ₚ är den första vågen mot kronan, N₁ₙ dess reflexion från kronan, 
     </message>
     <message>
         <source>waves at x/L = %1 (p to the bit, n from it)</source>
-        <translation>vågor vid x/L = %1 (p mot kronan, n bort)</translation>
+        <translation>vågor vid x/L = %1 (p mot kronan, n tillbaka)</translation>
     </message>
     <message>
         <source>N, tension +</source>
@@ -3930,8 +3930,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>variera</translation>
     </message>
     <message>
-        <source>family</source>
-        <translation>kurvskara</translation>
+        <source>curves for</source>
+        <translation>kurvor för</translation>
     </message>
     <message>
         <source>this scenario</source>
@@ -4037,11 +4037,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Smallest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Minsta funna värde (%1) för den bästa konstruktionen för osäkert berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Minsta funna värde (%1) för den bästa konstruktionen för ofullständigt känt berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>Largest %1 found for the best design: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Största funna värde (%1) för den bästa konstruktionen för ofullständigt känt berg: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>The choices change the blow energy: machines of different power are compared. “keep the energy” holds it constant.</source>
@@ -4057,7 +4057,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Load the best design for uncertain rock</source>
-        <translation>Ladda den bästa konstruktionen för osäkert berg</translation>
+        <translation>Ladda den bästa konstruktionen för ofullständigt känt berg</translation>
     </message>
     <message>
         <source>Load the best design for the values entered</source>
@@ -4077,11 +4077,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% smaller.</source>
-        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för osäkert berg %1&#xa0;% mindre.</translation>
+        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för ofullständigt känt berg %1&#xa0;% mindre.</translation>
     </message>
     <message>
         <source>With the values entered, the objective of the best design for uncertain rock is %1&#xa0;% larger.</source>
-        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för osäkert berg %1&#xa0;% större.</translation>
+        <translation>Med de angivna värdena är målstorheten för den bästa konstruktionen för ofullständigt känt berg %1&#xa0;% större.</translation>
     </message>
     <message>
         <source>Best for the values entered: %1</source>
@@ -4097,7 +4097,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>&lt;b&gt;Best for uncertain rock: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Bäst för osäkert berg: %1&lt;/b&gt;</translation>
+        <translation>&lt;b&gt;Bäst för ofullständigt känt berg: %1&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Present design: %1&lt;/b&gt;</source>
@@ -4113,7 +4113,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Best for uncertain rock: %1</source>
-        <translation>Bäst för osäkert berg: %1</translation>
+        <translation>Bäst för ofullständigt känt berg: %1</translation>
     </message>
     <message>
         <source>Load %1</source>
@@ -5901,7 +5901,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>Click on a line or preset to use that point; Shift+click pins it. The crosshair can be dragged.</source>
-        <translation>Ett klick på en linje eller ett förval tar över punkten där, med Skift fäster det den; hårkorset kan dras.</translation>
+        <translation>Klick på en linje eller ett förval: använd den punkten; med Skift: fäst den för jämförelse. Hårkorset kan dras.</translation>
     </message>
 </context>
 <context>
@@ -6029,7 +6029,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>elastic, worst gap</source>
-        <translation>elastiskt, störst behov</translation>
+        <translation>elastiskt, sämsta spalt</translation>
     </message>
     <message>
         <source>Mean force that balances a blow which starts at rest on the rock</source>
@@ -6092,8 +6092,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Indata %1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
     </message>
     <message>
-        <source>The first reflection returns to the hammer before the last %1 % of the blow. A real hammer would feel it, but here the hammer force is prescribed. To include it, use a drill string with a hammer.</source>
-        <translation>Den första reflexionen kommer tillbaka till hammaren före de sista %1&#xa0;% av slaget. En verklig hammare skulle känna den, men här är hammarkraften given. En borrsträng med hammare tar hänsyn till den.</translation>
+        <source>When the first reflection returns to the hammer, %1 % of the impulse of the blow is still to come. A real hammer would feel the reflection, but here the hammer force is prescribed. To include this effect, use a drill string with a hammer.</source>
+        <translation>När den första reflexionen kommer tillbaka till hammaren återstår %1&#xa0;% av slagets impuls. En verklig hammare skulle känna reflexionen, men här är hammarkraften given. En borrsträng med hammare tar hänsyn till denna verkan.</translation>
     </message>
     <message>
         <source>No hammer data are given. The hammer is assumed to have the impedance of the rod and to give a rectangular blow. Enter the data of the piston.</source>
@@ -6104,20 +6104,20 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Hammaren är standardhammaren (%1, stångens material). Ange data för borrmaskinens kolv.</translation>
     </message>
     <message>
-        <source>The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and the rod receives more than its momentum.</source>
-        <translation>Hammarens impedans är lägre än stångens: den studsar tillbaka efter ett steg, så att stången tar över mer än dess rörelsemängd.</translation>
+        <source>The impedance of the hammer is below that of the rod. The hammer therefore bounces back after one force step, and the rod receives more than the momentum of the hammer.</source>
+        <translation>Hammarens impedans är lägre än stångens. Hammaren studsar därför tillbaka efter ett kraftsteg, och stången tar över mer än hammarens rörelsemängd.</translation>
     </message>
     <message>
         <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. Reflections that return to the hammer are neglected here.</source>
         <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg. Reflexer tillbaka till hammaren försummas här.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%3). Penetration may change by up to 10 % with blow frequency and string length; to compute it, use %2.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%3). Inträngningen kan ändras med upp till 10&#xa0;% med slagfrekvens och stränglängd; använd %2 för att beräkna det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow, and they still act on that blow (%3). This may change the penetration by up to 10 %, depending on blow frequency and string length; to compute it, use %2.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det slaget (%3). Det kan ändra inträngningen med upp till 10&#xa0;%, beroende på slagfrekvens och stränglängd; använd %2 för att beräkna den.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips in the string before the next blow and still act on it (%4). Because %1 is close to the whole number %2, they arrive together with the next blow. Penetration may change by up to 10 %; to compute it, use %3.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det (%4). Eftersom %1 ligger nära heltalet %2 kommer de samtidigt med det. Inträngningen kan ändras med upp till 10&#xa0;%; använd %3 för att beräkna det.</translation>
+        <source>The waves of a blow make only %1 round trips in the string before the next blow, and they still act on that blow (%4). Because %1 is close to the whole number %2, they arrive at the same time as the next blow. This may change the penetration by up to 10 %; to compute it, use %3.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter i strängen till nästa slag och verkar ännu på det slaget (%4). Eftersom %1 ligger nära heltalet %2 kommer de samtidigt med nästa slag. Det kan ändra inträngningen med upp till 10&#xa0;%; använd %3 för att beräkna den.</translation>
     </message>
     <message>
         <source>only share a time step of %1, which takes more work than is permitted</source>
@@ -6140,8 +6140,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Round the lengths to multiples of a common length, such as 50 mm: longer time steps are then exact.</source>
-        <translation>Avrunda längderna till multiplar av en gemensam längd, t.ex. 50 mm: då är längre tidssteg exakta.</translation>
+        <source>Round the section lengths to multiples of a common length, such as 50 mm. A longer time step then fits all sections exactly.</source>
+        <translation>Avrunda sektionslängderna till multiplar av en gemensam längd, t.ex. 50 mm. Ett längre tidssteg passar då exakt för alla sektioner.</translation>
     </message>
     <message>
         <source>Enter all lengths in whole millimetres, with the same steel in all sections: the time step is then exact.</source>
@@ -6164,8 +6164,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>borrkronan ännu är på berget när nästa reflexion kommer</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
-        <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1. Dess studstal e = %2 har ett fel på %3.</translation>
+        <source>The closed-form solution for elastic rock does not apply, because %1. Its coefficient of restitution, e = %2, has an error of %3.</source>
+        <translation>Den slutna lösningen för elastiskt berg gäller inte, eftersom %1. Dess studstal e = %2 har ett fel på %3.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6176,8 +6176,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>drag</translation>
     </message>
     <message>
-        <source>The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts the time of contact and has no other effect.</source>
-        <translation>Stången rör sig som en stel kropp, så spalten mellan borrkrona och berg flyttar bara kontaktens tid och har ingen annan verkan.</translation>
+        <source>The rod moves as a rigid body until it meets the rock. The gap between bit and rock therefore only shifts the time of contact and has no other effect.</source>
+        <translation>Stången rör sig som en stel kropp tills den möter berget. Spalten mellan borrkrona och berg flyttar därför bara kontaktens tid och har ingen annan verkan.</translation>
     </message>
     <message>
         <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
@@ -6193,19 +6193,19 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>This blow is not over after %1, when the next blow starts: bit and rock, or hammer and string, may meet again. The values are for that moment and not final.</source>
-        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkrona och berg, eller hammare och sträng, kan träffas igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
+        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkrona och berg, eller hammare och sträng, kan träffas igen. Värdena gäller vid den tiden och är inte slutliga.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections would take more work than is permitted, so they were not computed and no strength was checked. Try a shorter end_time.</source>
-        <translation>Sektionernas största spänningar skulle kräva mer arbete än vad som är tillåtet. De beräknades därför inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
+        <source>The largest stresses of the sections were not computed, because this would exceed the limit of computing work. No strength was checked. Try a shorter end time (end_time).</source>
+        <translation>Sektionernas största spänningar beräknades inte, eftersom det skulle kräva mer beräkning än vad som är tillåtet. Ingen hållfasthet kontrollerades. Prova en kortare sluttid (end_time).</translation>
     </message>
     <message>
-        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2: the rock acts as if it loaded along one straight line.</source>
-        <translation>Kraften på berget når bara %1, under belastningskurvans första hörn vid %2: berget verkar som om det belastades längs en enda rät linje.</translation>
+        <source>The force on the rock reaches only %1, below the first corner of the loading curve at %2. The rock therefore acts as if its loading curve were one straight line.</source>
+        <translation>Kraften på berget når bara %1, under belastningskurvans första hörn vid %2. Berget verkar därför som om belastningskurvan vore en enda rät linje.</translation>
     </message>
     <message>
-        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it, so the gap between bit and rock grows from blow to blow. Increase the feed force.</source>
-        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den, så att spalten mellan borrkrona och berg växer från slag till slag. Öka matningskraften.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it. The gap between bit and rock therefore grows from blow to blow. Increase the feed force.</source>
+        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den. Spalten mellan borrkrona och berg växer därför från slag till slag. Öka matningskraften.</translation>
     </message>
     <message>
         <source>Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip is usual.</source>
@@ -6216,16 +6216,16 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Efter att kolven har skilts träffar den studsande strängen den igen, och kolven ger upp till %1&#xa0;% av sin rörelsemängd till strängen. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>At impact, the shank is up to %1 from its mean position in the machine, so stroke and blow energy of a real machine would differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
-        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen, så slaglängd och slagenergi hos en verklig maskin skulle bli andra. Lägg till en fjäder om dämparen saknar den: en dämpare ensam låter nacken vandra.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine. Stroke and blow energy of a real machine would therefore differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
+        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen. Slaglängd och slagenergi hos en verklig maskin skulle därför bli andra. Lägg till en fjäder om dämparen saknar den: en dämpare ensam låter nacken vandra.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
         <translation>Slagfrekvensen är avrundad till %1, så att varje slag faller på ett tidssteg.</translation>
     </message>
     <message>
-        <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
-        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre gånger felet. Öka antalet slag eller slag för insvängning.</translation>
+        <source>The motion may not be steady yet: means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
+        <translation>Rörelsen är kanske ännu inte stationär: medelvärden för första och andra hälften av slagen skiljer sig med mer än tre gånger felet. Öka antalet slag eller slag för insvängning.</translation>
     </message>
     <message>
         <source>Two steady motions are possible. The start or the time step decides which one is computed; a real drill may settle into either.</source>
@@ -6236,8 +6236,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Rörelsen upprepar sig inte från slag till slag: använd medelvärdena, inte värden för enstaka slag.</translation>
     </message>
     <message>
-        <source>The energy balance of all blows has an error of %1 %, because the time step is too long for such short contacts. A shorter time step reduces the error in proportion.</source>
-        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%, eftersom tidssteget är för långt för så korta kontakter. Ett kortare tidssteg minskar felet i samma mån.</translation>
+        <source>The energy balance of all blows has an error of %1 %. The time step is too long for the short contacts between bit and rock. A shorter time step reduces the error in proportion.</source>
+        <translation>Energibalansen för alla slag har ett fel på %1&#xa0;%. Tidssteget är för långt för de korta kontakterna mellan borrkrona och berg. Ett kortare tidssteg minskar felet i samma mån.</translation>
     </message>
     <message>
         <source>The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
@@ -6300,8 +6300,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>vid varje spalt</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: the scenario has dimensionless groups, not physical units.</source>
-        <translation>Matningen bedöms inte: scenariot ges av sina dimensionslösa tal, inte i fysikaliska enheter.</translation>
+        <source>The feed cannot be judged: the scenario has only dimensionless groups. Enter it in physical units.</source>
+        <translation>Matningen bedöms inte: scenariot ges bara av sina dimensionslösa tal. Ange storheterna i fysikaliska enheter.</translation>
     </message>
     <message>
         <source>The feed cannot be judged: give a blow frequency.</source>
@@ -8309,7 +8309,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>best for uncertain rock</source>
-        <translation>bästa konstruktionen för osäkert berg</translation>
+        <translation>bästa konstruktionen för ofullständigt känt berg</translation>
     </message>
     <message>
         <source>best for the values entered</source>
@@ -8349,11 +8349,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Smallest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Minsta funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Minsta funna värde (%1) för den bästa konstruktionen för ofullständigt känt berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Största funna värde (%1) för den bästa konstruktionen för osäkert berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Största funna värde (%1) för den bästa konstruktionen för ofullständigt känt berg inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and is left out of the statistics. Reason: %2.</source>
@@ -8372,8 +8372,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 konstruktioner saknar statistik, eftersom mer än 0,1&#xa0;% av deras stickprov inte kunde lösas.</translation>
     </message>
     <message>
-        <source>In up to %1 % of the samples of a design, the bit chatters on the rock; the numerical error of these blows is larger than the error of the statistics.</source>
-        <translation>I upp till %1&#xa0;% av stickproven i en konstruktion skallrar borrkronan mot berget; det numeriska felet i dessa slag är större än statistikens fel.</translation>
+        <source>In up to %1 % of the samples of a design, the bit chatters on the rock. The numerical error of these blows is larger than the error of the statistics.</source>
+        <translation>I upp till %1&#xa0;% av stickproven i en konstruktion skallrar borrkronan mot berget. Det numeriska felet i dessa slag är större än statistikens fel.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8397,11 +8397,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the upper end of the range of %1: extend that range.</source>
-        <translation>Den bästa konstruktionen för osäkert berg ligger i övre änden av området för %1: vidga det området.</translation>
+        <translation>Den bästa konstruktionen för ofullständigt känt berg ligger i övre änden av området för %1: vidga det området.</translation>
     </message>
     <message>
         <source>The best design for uncertain rock lies at the lower end of the range of %1: extend that range.</source>
-        <translation>Den bästa konstruktionen för osäkert berg ligger i nedre änden av området för %1: vidga det området.</translation>
+        <translation>Den bästa konstruktionen för ofullständigt känt berg ligger i nedre änden av området för %1: vidga det området.</translation>
     </message>
     <message>
         <source>The blow energy differs by up to %1 % between the designs: machines of different power are compared. Use --keep-energy to compare at the same energy.</source>
@@ -10464,8 +10464,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Matningen bedöms inte: ange slagfrekvens och matningskraft.</translation>
     </message>
     <message>
-        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Detta är en uppskattning från enstaka slag; %1 simulerar slag efter slag.</translation>
+        <source>The required feed force is estimated from single blows; %1 solves consecutive blows.</source>
+        <translation>Den krävda matningskraften är uppskattad från enstaka slag; %1 simulerar slag efter slag.</translation>
     </message>
     <message>
         <source>installed feed force %1</source>
@@ -10508,12 +10508,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ange en vågförlust (%1): vågor förlorar vanligen 1 till 30&#xa0;% per varv fram och åter.</translation>
     </message>
     <message>
-        <source>Increase the number of blows (%1) to reduce the error.</source>
-        <translation>Öka antalet slag (%1) för att minska felet.</translation>
+        <source>Increase the number of blows (%1) to reduce the error of the mean penetration.</source>
+        <translation>Öka antalet slag (%1) för att minska medelinträngningens fel.</translation>
     </message>
     <message>
-        <source>Use shorter time steps, or lengths that are multiples of a common length, to reduce the error.</source>
-        <translation>Använd kortare tidssteg, eller längder som är multiplar av en gemensam längd, för att minska felet.</translation>
+        <source>To reduce the error, use shorter time steps, or make the section lengths multiples of a common length.</source>
+        <translation>För att minska felet, använd kortare tidssteg, eller gör sektionslängderna till multiplar av en gemensam längd.</translation>
     </message>
     <message>
         <source>The bit penetrates %1 per blow, at a penetration rate of %2.</source>
@@ -10532,16 +10532,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>en matningskraft på %1</translation>
     </message>
     <message>
-        <source>All values from %1 to %2 give the same penetration rate within the errors.</source>
-        <translation>Alla värden från %1 till %2 ger samma borrsjunkning inom felen.</translation>
+        <source>All values from %1 to %2 give the same penetration rate within the errors of the computation.</source>
+        <translation>Alla värden från %1 till %2 ger samma borrsjunkning inom beräkningens fel.</translation>
     </message>
     <message>
         <source>a constant force</source>
         <translation>en konstant kraft</translation>
     </message>
     <message>
-        <source>This mean is inaccurate: its error is above %1, because %2.</source>
-        <translation>Detta medelvärde är osäkert: dess fel är över %1, eftersom %2.</translation>
+        <source>The mean penetration per blow is inaccurate: its error is above %1, because %2.</source>
+        <translation>Medelinträngningen per slag är osäker: dess fel är över %1, eftersom %2.</translation>
     </message>
     <message>
         <source>In %1 of the blows, the bit is in contact with the rock when the blow arrives.</source>
@@ -10556,8 +10556,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Förbindelsen mellan maskin och stång är modellerad som %1.</translation>
     </message>
     <message>
-        <source>All values of the scan give the same penetration rate within the errors, %1.</source>
-        <translation>Alla värden i svepet ger samma borrsjunkning inom felen, %1.</translation>
+        <source>All values of the scan give the same penetration rate, %1, within the errors of the computation.</source>
+        <translation>Alla undersökta värden ger samma borrsjunkning, %1, inom beräkningens fel.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -10576,8 +10576,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>återkomst i tid</translation>
     </message>
     <message>
-        <source>The impulse of a blow is taken at the hammer&apos;s face. For a drill string, results do not repeat with the gap between bit and rock, so neither a share of all gaps nor the worst gap is known.</source>
-        <translation>Slagets impuls tas vid hammarens ändyta. För en borrsträng upprepas resultaten inte med spalten mellan krona och berg, så varken en andel av alla spalter eller den sämsta spalten är känd.</translation>
+        <source>The impulse of a blow is that from hammer to string. For drill strings, only the gap entered and rigid rock are examined.</source>
+        <translation>Slagets impuls är den från hammaren till strängen. För borrsträngar undersöks bara den angivna spalten och stelt berg.</translation>
     </message>
     <message>
         <source>sequences of blows</source>
@@ -11264,16 +11264,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 andra sektioner</translation>
     </message>
     <message>
-        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
-        <translation>Den hårdast belastade sektionen (%1) har en dragspänning på %2, vilket är %3 av utmattningsgränsen %4.</translation>
+        <source>During the blow, the most heavily loaded section (%1) has a tension of %2, which is %3 of its fatigue strength of %4.</source>
+        <translation>Under slaget har den hårdast belastade sektionen (%1) en dragspänning på %2, vilket är %3 av utmattningsgränsen %4.</translation>
     </message>
     <message>
-        <source>The most heavily loaded section (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Den hårdast belastade sektionen (%1) har en dragspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
+        <source>During the blow, the most heavily loaded section (%1) has a tension of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Under slaget har den hårdast belastade sektionen (%1) en dragspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
-        <source>The most heavily loaded section (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
-        <translation>Den hårdast belastade sektionen (%1) har en tryckspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
+        <source>During the blow, the most heavily loaded section (%1) has a compression of %2, which is %3 of its yield strength of %4.</source>
+        <translation>Under slaget har den hårdast belastade sektionen (%1) en tryckspänning på %2, vilket är %3 av sträckgränsen %4.</translation>
     </message>
     <message>
         <source>No section has a strength. Enter a strength (%1) to find the section that breaks first.</source>
@@ -11296,8 +11296,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>är tomt; en sektion som inte kommer från ett förval skrivs utan det</translation>
     </message>
     <message>
-        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser model of the string, whose COR and efficiency differ by at most %1.</source>
-        <translation>Slaget har för många vågor för att alla ska kunna sparas: vågor och krafter i diagrammen är från en grövre indelad sträng, vars studstal och verkningsgrad avviker med högst %1.</translation>
+        <source>This blow has too many waves to store them all. Plots of waves and forces therefore show a coarser model of the string. Its coefficient of restitution and efficiency differ by at most %1.</source>
+        <translation>Slaget har för många vågor för att alla ska kunna sparas. Vågor och krafter i diagrammen är därför från en grövre indelad sträng. Dess studstal och verkningsgrad avviker med högst %1.</translation>
     </message>
     <message>
         <source>%1, but a small disturbance grows</source>
@@ -11312,8 +11312,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ange en vågförlust under ”%1”: vågor förlorar vanligen 1 till 30&#xa0;% per varv fram och åter.</translation>
     </message>
     <message>
-        <source>Enter a larger number under “%1” to reduce the error.</source>
-        <translation>Ange ett större tal under ”%1” för att minska felet.</translation>
+        <source>Enter a larger number under “%1” to reduce the error of the mean penetration.</source>
+        <translation>Ange ett större tal under ”%1” för att minska medelinträngningens fel.</translation>
     </message>
     <message>
         <source>undamped</source>
@@ -11324,12 +11324,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>dämpade bara av strängens förluster</translation>
     </message>
     <message>
-        <source>with %1 % left at a wave loss of %2 %</source>
-        <translation>med %1 % kvar vid en vågförlust på %2 %</translation>
+        <source>%1 % of the wave is left, with a loss of %2 % per round trip</source>
+        <translation>%1 % av vågen är kvar, med %2 % förlust per varv</translation>
     </message>
     <message>
         <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are for that moment and not final.</source>
-        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkronan kan träffa berget igen. Värdena gäller vid den tiden och är inte de slutliga.</translation>
+        <translation>Detta slag är inte över efter %1, när nästa börjar: borrkronan kan träffa berget igen. Värdena gäller vid den tiden och är inte slutliga.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -11337,11 +11337,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Results repeat every d₀ of gap.</source>
-        <translation>Resultaten upprepar sig för varje d₀ spalt.</translation>
+        <translation>När spalten växer upprepar sig resultaten för varje d₀.</translation>
     </message>
     <message>
         <source>Results repeat every d₀ = %1 of gap.</source>
-        <translation>Resultaten upprepar sig för varje d₀ = %1 spalt.</translation>
+        <translation>När spalten växer upprepar sig resultaten för varje d₀ = %1.</translation>
     </message>
     <message>
         <source>How the gap scatters</source>
@@ -11389,7 +11389,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Click on the curve to use that gap; Shift+click pins it.</source>
-        <translation>Ett klick på kurvan tar över spalten där, med Skift fäster det den.</translation>
+        <translation>Klick på kurvan: använd den spalten; med Skift: fäst den för jämförelse.</translation>
     </message>
     <message>
         <source>COR–gap needs a uniform rod, whose results repeat over the gap. For drill strings they do not repeat: Efficiency–stiffness shows them over the gap, point by point.</source>
@@ -11704,24 +11704,24 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>prövade lagar</translation>
     </message>
     <message>
-        <source>The reflection does not arrive at the time computed from the scenario file: check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
-        <translation>Reflexionen kommer inte vid den tid som beräknas ur scenariofilen: kontrollera givarens avstånd från kronan, våghastigheten, samplingsklockan, och om en sektion saknas i filen.</translation>
+        <source>The reflection does not arrive at the time computed from the scenario file. Check the distance of the gauge from the bit, the wave speed, the sampling clock, and whether the file lacks a section.</source>
+        <translation>Reflexionen kommer inte vid den tid som beräknas ur scenariofilen. Kontrollera givarens avstånd från kronan, våghastigheten, samplingsklockan, och om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>A section between gauge and bit differs from the scenario file: measure the bit head and the rod, and check whether the file lacks a section.</source>
-        <translation>En sektion mellan givare och borrkrona avviker från scenariofilen: mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
+        <source>A section between gauge and bit differs from the scenario file. Measure the bit head and the rod, and check whether the file lacks a section.</source>
+        <translation>En sektion mellan givare och borrkrona avviker från scenariofilen. Mät kronhuvudet och stången, och kontrollera om en sektion saknas i filen.</translation>
     </message>
     <message>
-        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file: measure this distance, the bit head and the rod.</source>
-        <translation>Avståndet mellan givarna, eller en sektion mellan givare och borrkrona, avviker från scenariofilen: mät detta avstånd, kronhuvudet och stången.</translation>
+        <source>The distance between the gauges, or a section between gauge and bit, differs from the scenario file. Measure this distance, the bit head and the rod.</source>
+        <translation>Avståndet mellan givarna, eller en sektion mellan givare och borrkrona, avviker från scenariofilen. Mät detta avstånd, kronhuvudet och stången.</translation>
     </message>
     <message>
         <source>The record shows waves at times when the rod should be at rest. Possible causes: bending (use gauges on opposite sides of the rod), the blow before, or couplings.</source>
         <translation>Mätningen visar vågor vid tider då stången borde vara i vila. Möjliga orsaker: böjning (använd givare på motsatta sidor av stången), slaget innan, eller skarvhylsor.</translation>
     </message>
     <message>
-        <source>The zero line of the record drifts by more than the tolerance of the amplifier: check its zero, its drift and whether it is AC or DC coupled.</source>
-        <translation>Mätningens nollinje rör sig mer än förstärkarens tolerans: kontrollera dess nollpunkt, drift och koppling.</translation>
+        <source>The zero line of the record drifts by more than the tolerance of the amplifier. Check the zero and the drift of the amplifier, and whether it is AC or DC coupled.</source>
+        <translation>Mätningens nollinje rör sig mer än förstärkarens tolerans. Kontrollera förstärkarens nollpunkt och drift, och om den är AC- eller DC-kopplad.</translation>
     </message>
     <message>
         <source>The rod still rings from an earlier blow when this blow starts: measure a single blow.</source>
@@ -12136,8 +12136,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>stämmer inte</translation>
     </message>
     <message>
-        <source>The installed feed force is enough for single blows. From %1 on, even an undamped rod would return to the rock before each next blow.</source>
-        <translation>Den installerade matningskraften räcker för enstaka slag. Från %1 skulle även en odämpad stång återvända till berget före varje nästa slag.</translation>
+        <source>A feed force of at least %1 would even return an undamped rod to the rock before each next blow.</source>
+        <translation>En matningskraft på minst %1 skulle till och med föra en odämpad stång tillbaka till berget före varje nästa slag.</translation>
     </message>
     <message>
         <source>The installed feed force is enough for single blows.</source>
@@ -12152,16 +12152,16 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--goal tar bara värdet: --outputs cor --goal 1</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so the coefficient of restitution e depends on the last digits of the input and can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
-        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att studstalet e beror på indatas sista siffror och bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
+        <source>The bit chatters on the rock (%1 contacts). Tiny changes of the input then change the coefficient of restitution e, which can be known only to within %2. A longer rod, a shorter blow or a softer rock reduces the chatter.</source>
+        <translation>Borrkronan skallrar mot berget (%1 kontakter). Mycket små ändringar av indata ändrar då studstalet e, som bara kan vara känt på %2 när. En längre stång, ett kortare slag eller mjukare berg minskar skallret.</translation>
     </message>
     <message>
-        <source>Either the rock follows another law, or the scenario file has a wrong section between gauge and bit or a wrong distance between the gauges: check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
-        <translation>Antingen följer berget en annan lag, eller så är en sektion mellan givare och borrkrona eller avståndet mellan givarna fel i scenariofilen: kontrollera först kronhuvudet och detta avstånd, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
+        <source>Either the rock follows another law, or the scenario file is wrong about a section between gauge and bit or the distance between the gauges. Check the bit head and this distance first, then see where the measured and the modelled wave differ.</source>
+        <translation>Antingen följer berget en annan lag, eller så är en sektion mellan givare och borrkrona eller avståndet mellan givarna fel i scenariofilen. Kontrollera först kronhuvudet och detta avstånd, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
     <message>
-        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file: check the bit head first, then see where the measured and the modelled wave differ.</source>
-        <translation>Antingen följer berget en annan lag, eller så avviker sektionerna mellan givare och borrkrona från scenariofilen: kontrollera först kronhuvudet, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
+        <source>Either the rock follows another law, or the sections between gauge and bit differ from the scenario file. Check the bit head first, then see where the measured and the modelled wave differ.</source>
+        <translation>Antingen följer berget en annan lag, eller så avviker sektionerna mellan givare och borrkrona från scenariofilen. Kontrollera först kronhuvudet, och se sedan var uppmätt och beräknad våg skiljer sig åt.</translation>
     </message>
     <message>
         <source>The scan cannot decide which value is best: the penetrations have errors of +- %1, because %2.</source>
@@ -12333,7 +12333,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The largest tension and compression along the rod, during the blow and in the residual waves.</source>
-        <translation>Största drag och tryck längs stången, medan slaget varar och i de kvarvarande vågorna.</translation>
+        <translation>Största drag och tryck längs stången, medan slaget varar och i restvågorna.</translation>
     </message>
     <message>
         <source>%1 from the struck end</source>
@@ -12368,12 +12368,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Största drag och tryck längs hammare (under 0) och sträng medan slaget varar, med sektionernas hållfasthet.</translation>
     </message>
     <message>
-        <source>%1 from the shank</source>
-        <translation>%1 från nacken</translation>
-    </message>
-    <message>
-        <source>%1 from the shank, %2</source>
-        <translation>%1 från nacken, %2</translation>
+        <source>%1 from the struck end, %2</source>
+        <translation>%1 från slagänden, %2</translation>
     </message>
     <message>
         <source>place x: must be at most %1, the length of the string</source>
@@ -12496,20 +12492,20 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Stången skulle flyta: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
     </message>
     <message>
-        <source>The rod would yield: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow. Its yield strength is %4.</source>
-        <translation>Stången skulle flyta: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
+        <source>The rod would yield from residual waves after the blow, which are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.</source>
+        <translation>Stången skulle flyta av restvågor efter slaget, som inte dämpas här. Spänningen når %1, %2 från hammaren och %3 efter slagets början. Sträckgränsen är %4.</translation>
     </message>
     <message>
-        <source>Every blow loads a section above its fatigue strength of %5: the stress in %1 reaches %2, at %3 from its rear end and %4 after the start of the blow.</source>
-        <translation>Varje slag belastar en sektion över dess utmattningsgräns på %5: spänningen i %1 når %2, %3 från bakre änden och %4 efter slagets början.</translation>
+        <source>Every blow loads %1 above its fatigue strength of %5. The stress reaches %2, at %3 from the rear end of this section and %4 after the start of the blow.</source>
+        <translation>Varje slag belastar %1 över utmattningsgränsen på %5. Spänningen når %2, %3 från sektionens bakre ände och %4 efter slagets början.</translation>
     </message>
     <message>
-        <source>Every blow loads the rod above its fatigue strength of %4: during the blow the stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
-        <translation>Varje slag belastar stången över dess utmattningsgräns på %4: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4. During the blow, the stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Varje slag belastar stången över dess utmattningsgräns på %4. Under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början.</translation>
     </message>
     <message>
-        <source>Every blow loads the rod above its fatigue strength of %4: after the blow the residual waves, undamped here, give a stress of %1, at %2 from the hammer and %3 after the start of the blow.</source>
-        <translation>Varje slag belastar stången över dess utmattningsgräns på %4: efter slaget ger restvågorna, odämpade här, en spänning på %1, %2 från hammaren och %3 efter slagets början.</translation>
+        <source>Every blow loads the rod above its fatigue strength of %4, by residual waves that are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow.</source>
+        <translation>Varje slag belastar stången över dess utmattningsgräns på %4, genom restvågor som inte dämpas här. Spänningen når %1, %2 från hammaren och %3 efter slagets början.</translation>
     </message>
     <message>
         <source>%1 in compression</source>
@@ -12532,12 +12528,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Valet av %1 gör ingen skillnad för målstorheter och gränser.</translation>
     </message>
     <message>
-        <source>Besides this warning, the design has %1 more.</source>
-        <translation>Utöver denna varning har konstruktionen %1 till.</translation>
+        <source>Number of other warnings for this design: %1.</source>
+        <translation>Antal ytterligare varningar för denna konstruktion: %1.</translation>
     </message>
     <message>
         <source>The highest penetration rate of the scan, %1, is reached with %2.</source>
-        <translation>Den högsta borrsjunkningen i svepet, %1, nås med %2.</translation>
+        <translation>Den högsta borrsjunkningen i det undersökta området, %1, nås med %2.</translation>
     </message>
     <message>
         <source>blow</source>
@@ -12580,8 +12576,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>energiandel</translation>
     </message>
     <message>
-        <source>if the rod bounces</source>
-        <translation>om stången studsar</translation>
+        <source>rod bouncing at the start</source>
+        <translation>stången studsar från början</translation>
     </message>
     <message>
         <source>blows in contact</source>
@@ -12596,12 +12592,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>dämpare på halva impedansen</translation>
     </message>
     <message>
-        <source>strip: 95 % error of the penetration rate</source>
-        <translation>band: 95 %-fel för borrsjunkningen</translation>
+        <source>strip: 95 % confidence interval of the penetration rate</source>
+        <translation>band: 95 % konfidensintervall för borrsjunkningen</translation>
     </message>
     <message>
-        <source>shaded: blows that are averaged</source>
-        <translation>skuggat: slag som ingår i medelvärdet</translation>
+        <source>mean: over the shaded blows</source>
+        <translation>medelvärde: över de skuggade slagen</translation>
     </message>
     <message>
         <source>gap and next gap: a projection from more dimensions</source>
@@ -12639,7 +12635,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 of %2 designs, best for uncertain rock %3</source>
-        <translation>%1 av %2 konstruktioner, bäst för osäkert berg %3</translation>
+        <translation>%1 av %2 konstruktioner, bäst för ofullständigt känt berg %3</translation>
     </message>
     <message>
         <source>on average</source>
@@ -12682,8 +12678,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Kartan följer.</translation>
     </message>
     <message>
-        <source>no contour at %1</source>
-        <translation>ingen linje vid %1</translation>
+        <source>%1 is not reached</source>
+        <translation>%1 nås inte</translation>
     </message>
     <message>
         <source>%1 of %2 points not solved (hatched)</source>
@@ -12730,8 +12726,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En matningskraft på %1 räcker för ett enstaka slag, oavsett spalten framför kronan. Den för till och med en odämpad stång tillbaka till berget före nästa slag (det kräver %2).</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for this blow and for rigid rock, and even returns an undamped rod to the rock in time, which requires %2; other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg och för till och med en odämpad stång tillbaka till berget i tid, vilket kräver %2; andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow and for rigid rock. It even returns an undamped rod to the rock before the next blow (this requires %2). Other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag och för stelt berg. Den för till och med en odämpad stång tillbaka till berget före nästa slag (det kräver %2). Andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
         <source>For this blow, the feed force must be at least %1 at a blow frequency of %2.</source>
@@ -12766,8 +12762,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs).</translation>
     </message>
     <message>
-        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required); other gaps between bit and rock were not examined.</source>
-        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs); andra spalter mellan borrkrona och berg undersöktes inte.</translation>
+        <source>A feed force of %1 is enough for this blow (%2 required), but not for rigid rock (%3 required). Other gaps between bit and rock were not examined.</source>
+        <translation>En matningskraft på %1 räcker för detta slag (%2 krävs), men inte för stelt berg (%3 krävs). Andra spalter mellan borrkrona och berg undersöktes inte.</translation>
     </message>
     <message>
         <source>No feed force is given. At a blow frequency of %1, the weight of machine and rod along the hole is already enough for this blow and for rigid rock.</source>
@@ -12834,8 +12830,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>dess slag skulle ta %1 beräkningssteg, mer än arbetsgränsen på %2, eftersom kontakten växlar mycket ofta; ett större gamma, färre slag eller en högre frekvens kräver mindre</translation>
     </message>
     <message>
-        <source>Enter a goal to find where %1 reaches it.</source>
-        <translation>Ange ett mål för att hitta var %1 når det.</translation>
+        <source>Enter a goal for %1 to find where it is reached.</source>
+        <translation>Ange ett målvärde för %1 för att hitta var det nås.</translation>
     </message>
     <message>
         <source>The largest value of %1 is %2, at %3 = %5 and %4 = %6. The smallest is %9, at %3 = %7 and %4 = %8.</source>
@@ -14000,8 +13996,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Följ på varandra följande slag (cirka %1 s)</translation>
     </message>
     <message>
-        <source>This is an estimate from single blows; %1 solves consecutive blows.</source>
-        <translation>Detta är en uppskattning från enstaka slag; %1 simulerar slag efter slag.</translation>
+        <source>The required feed force is estimated from single blows; %1 solves consecutive blows.</source>
+        <translation>Den krävda matningskraften är uppskattad från enstaka slag; %1 simulerar slag efter slag.</translation>
     </message>
     <message>
         <source>penetration, energy, power and restitution</source>
@@ -14078,8 +14074,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Inget att visa: %1</translation>
     </message>
     <message>
-        <source>To mark a time, click an event or place the time cursor on the page Blow.</source>
-        <translation>För att markera en tid: klicka på en händelse eller sätt tidsmarkören på sidan Slag.</translation>
+        <source>To mark a time, click an event in Result or place the time cursor on the page Blow.</source>
+        <translation>Markera en tid: klicka på en händelse i resultatet eller sätt tidsmarkören på sidan Slag.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -14183,9 +14179,9 @@ Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där
     </message>
     <message>
         <source>At %1, during the blow: %2 and %3
-in the residual waves: %4 and %5</source>
+afterwards, in the residual waves: %4 and %5</source>
         <translation>Vid %1, under slaget: %2 och %3
-av de kvarvarande vågorna: %4 och %5</translation>
+därefter, i restvågorna: %4 och %5</translation>
     </message>
     <message>
         <source>Rod</source>
@@ -14214,15 +14210,15 @@ i %4</translation>
     </message>
     <message>
         <source>compression of residual waves</source>
-        <translation>tryck i de kvarvarande vågorna</translation>
+        <translation>tryck i restvågorna</translation>
     </message>
     <message>
         <source>tension of residual waves</source>
-        <translation>drag i de kvarvarande vågorna</translation>
+        <translation>drag i restvågorna</translation>
     </message>
     <message>
-        <source>position x from the shank, hammer below 0</source>
-        <translation>läge x från nacken, hammaren under 0</translation>
+        <source>position x from the struck end, hammer at x &lt; 0</source>
+        <translation>läge x från slagänden, hammaren vid x &lt; 0</translation>
     </message>
     <message>
         <source>position x from the struck end</source>
@@ -15265,8 +15261,8 @@ meter</translation>
 <context>
     <name>drillwave::StringSketch</name>
     <message>
-        <source>position x from the shank, hammer below 0</source>
-        <translation>läge x från nacken, hammaren under 0</translation>
+        <source>position x from the struck end, hammer at x &lt; 0</source>
+        <translation>läge x från slagänden, hammaren vid x &lt; 0</translation>
     </message>
     <message>
         <source>diameter</source>
@@ -15742,8 +15738,8 @@ meter</translation>
         <translation>partikelhastighet v (mot berget positivt)</translation>
     </message>
     <message>
-        <source>position x from the shank, hammer below 0</source>
-        <translation>läge x från nacken, hammaren under 0</translation>
+        <source>position x from the struck end, hammer at x &lt; 0</source>
+        <translation>läge x från slagänden, hammaren vid x &lt; 0</translation>
     </message>
     <message>
         <source>position x from the struck end</source>
@@ -15853,9 +15849,9 @@ map.csv.yaml …), the name of a built-in example, or - for standard input.</sou
 map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</translation>
     </message>
     <message>
-        <source>0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,
+        <source>0 done, 1 internal error or out of memory, 2 wrong command line, 3 input cannot be read,
 4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted</source>
-        <translation>0 klart, 1 internt fel eller minnesbrist, 2 felaktig användning, 3 indata kan inte läsas,
+        <translation>0 klart, 1 internt fel eller minnesbrist, 2 felaktig kommandorad, 3 indata kan inte läsas,
 4 utdata kan inte skrivas, 5 ogiltigt scenario, 6 ett fall kunde inte lösas, 130 avbrutet</translation>
     </message>
     <message>
@@ -15915,22 +15911,22 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
 parameter given last varies fastest. Values carry units where the parameter has one: --vary
 rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
 FILE.csv.yaml beside FILE.csv records version, command, varied parameters and scenario. --plots
-can draw one or two varied parameters: the one with more values is the horizontal axis, and each
-value of the other one gives a curve.</source>
+can draw one or two varied parameters. The parameter with more values is the horizontal axis; each
+value of the other parameter gives a curve.</source>
         <translation>Löser ett slag för varje kombination av värdena i --vary. Varje kombination är en rad; den sist
 angivna parametern varierar snabbast. Värden anges med enhet där parametern har en: --vary
 rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
 FILE.csv.yaml bredvid FILE.csv innehåller version, kommando, varierade parametrar och scenario.
---plots kan rita en eller två varierade parametrar: den med fler värden är den vågräta axeln, och
-varje värde på den andra ger en kurva.</translation>
+--plots kan rita en eller två varierade parametrar. Parametern med fler värden är den vågräta
+axeln; varje värde på den andra parametern ger en kurva.</translation>
     </message>
     <message>
         <source>write outputs in SI, with units in the header</source>
         <translation>skriv resultat i SI-enheter, angivna i huvudet</translation>
     </message>
     <message>
-        <source>solve only part I of N parts of the rows; `drillwave join` combines the parts; only part 1 has a header</source>
-        <translation>lös bara del I av N delar av raderna; `drillwave join` sätter ihop delarna; bara del 1 har rubrikrad</translation>
+        <source>split the rows into N parts and solve only part I; `drillwave join` combines the parts; only part 1 has a header</source>
+        <translation>dela raderna i N delar och lös bara del I; `drillwave join` sätter ihop delarna; bara del 1 har rubrikrad</translation>
     </message>
     <message>
         <source>with -o, also write the plots that the window would show, as png, svg or pdf</source>
@@ -15955,28 +15951,28 @@ ett rör (pipe). FILE.csv.yaml bredvid FILE.csv innehåller version, kommando oc
         <translation>variera en parameter: extremvärden, knän och språng hos utdata och var de når ett mål, med fel</translation>
     </message>
     <message>
-        <source>parameter along the curve, from START to STOP without steps; with :log, its axis is logarithmic</source>
-        <translation>parameter längs kurvan, från START till STOP utan steg; med :log är dess axel logaritmisk</translation>
+        <source>parameter to follow continuously from START to STOP; with :log, its axis is logarithmic</source>
+        <translation>parameter som följs kontinuerligt från START till STOP; med :log är dess axel logaritmisk</translation>
     </message>
     <message>
         <source>vary this parameter, with one curve for each value; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
         <translation>variera denna parameter, med en kurva för varje värde; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
     </message>
     <message>
-        <source>also print where an output crosses this value, in the unit of its column</source>
-        <translation>skriv även ut var resultaten korsar detta värde, i kolumnernas enhet</translation>
+        <source>also print where an output crosses this value; give the value in the unit of the output&apos;s column</source>
+        <translation>skriv även ut var ett resultat korsar detta värde; ange värdet i enheten för resultatets kolumn</translation>
     </message>
     <message>
-        <source>print every value of the parameter at which the output is X, in the unit of its column; exit code 6 if there is none</source>
-        <translation>skriv varje värde på parametern där resultatet är X, i kolumnens enhet; slutkod 6 om det inte finns något</translation>
+        <source>print each parameter value at which the output is X. X is in the unit of the output&apos;s column. Exit code 6 if there is no such value</source>
+        <translation>skriv varje värde på parametern där resultatet är X. X är i enheten för resultatets kolumn. Slutkod 6 om inget sådant värde finns</translation>
     </message>
     <message>
         <source>print and write outputs in SI</source>
         <translation>skriv resultat i SI-enheter</translation>
     </message>
     <message>
-        <source>also write the points of the curve to FILE.csv, the settings to FILE.csv.yaml and the values that --goal finds to FILE_goal.csv; -o - prints the points instead of the tables</source>
-        <translation>skriv även kurvans punkter till FILE.csv, inställningarna till FILE.csv.yaml och de värden som --goal hittar till FILE_goal.csv; -o - skriver ut punkterna i stället för tabellerna</translation>
+        <source>also write the curve to FILE.csv, the settings to FILE.csv.yaml and the --goal values to FILE_goal.csv; -o - prints the points instead of the tables</source>
+        <translation>skriv även kurvan till FILE.csv, inställningarna till FILE.csv.yaml och värdena från --goal till FILE_goal.csv; -o - skriver ut punkterna i stället för tabellerna</translation>
     </message>
     <message>
         <source>map one output over two parameters, with contours</source>
@@ -16011,8 +16007,8 @@ punkter, hur nära X var och en ligger, och var resultatet hoppar över X.</tran
         <translation>använd SI-enheter för resultatet och för värdet i --level, som då får ha enhet</translation>
     </message>
     <message>
-        <source>also write the points of the map to FILE.csv, with its record FILE.csv.yaml, and the contours to FILE_contours.csv; -o - prints the points instead of the summary</source>
-        <translation>skriv även kartans punkter till FILE.csv, med protokollet FILE.csv.yaml, och nivåkurvorna till FILE_contours.csv; -o - skriver ut punkterna i stället för sammanfattningen</translation>
+        <source>also write the map to FILE.csv, its settings to FILE.csv.yaml and its contours to FILE_contours.csv; -o - prints the points instead of the summary</source>
+        <translation>skriv även kartan till FILE.csv, dess inställningar till FILE.csv.yaml och dess nivåkurvor till FILE_contours.csv; -o - skriver ut punkterna i stället för sammanfattningen</translation>
     </message>
     <message>
         <source>combine the parts of a sweep, table or map that were solved with --shard</source>
@@ -16027,18 +16023,18 @@ punkter, hur nära X var och en ligger, och var resultatet hoppar över X.</tran
         <translation>studstal, krafter och verkningsgrad för alla spalter mellan borrkrona och berg</translation>
     </message>
     <message>
-        <source>Prints how the results depend on the gap between bit and rock at the start of the blow. At the rig
-nobody controls this gap, and the results repeat with every d0 = 2 I0/Z of it (I0: impulse of the
-blow, Z: impedance of the rod). So all gaps of one such period count as equally likely. Prints
-extremes with their gaps, mean, 5, 50 and 95 % quantiles, and the share of gaps with a coefficient
-of restitution e above 1. --gap-deviation adds the same for a normally distributed gap; gaps below
-zero are cut off.</source>
+        <source>Prints how the results depend on the gap between bit and rock at the start of the blow. Nobody
+controls this gap at the rig. The results repeat each time the gap grows by d0 = 2 I0/Z (I0:
+impulse of the blow, Z: impedance of the rod). All gaps within d0 therefore count as equally
+likely. Prints minima and maxima with their gaps, mean, and 5, 50 and 95 % quantiles. Also prints
+the share of gaps with a coefficient of restitution e above 1. --gap-deviation adds the same for a
+normally distributed gap, cut off below zero.</source>
         <translation>Skriver ut hur resultaten beror på spalten mellan borrkrona och berg när slaget börjar. På riggen
-styr ingen denna spalt, och resultaten upprepas med varje d0 = 2 I0/Z av den (I0: slagets impuls,
-Z: stångens impedans). Därför räknas alla spalter i en sådan period som lika sannolika. Skriver
-extremvärden med sina spalter, medelvärde, 5-, 50- och 95&#xa0;%-kvantiler och andelen spalter med ett
-studstal e över 1. --gap-deviation lägger till detsamma för en normalfördelad spalt; spalter under
-noll är avskurna.</translation>
+styr ingen denna spalt. Resultaten upprepas varje gång spalten växer med d0 = 2 I0/Z (I0: slagets
+impuls, Z: stångens impedans). Därför räknas alla spalter inom d0 som lika sannolika. Skriver
+minima och maxima med sina spalter, medelvärde, 5-, 50- och 95&#xa0;%-kvantiler och andelen spalter med
+ett studstal e över 1. --gap-deviation lägger till detsamma för en normalfördelad spalt, avskuren
+under noll.</translation>
     </message>
     <message>
         <source>also print results for a normally distributed gap with this standard deviation</source>
@@ -16073,12 +16069,12 @@ noll är avskurna.</translation>
         <translation>med -o DIR: skriv även rörelse och krafter över tiden från slag A till slag B</translation>
     </message>
     <message>
-        <source>print numbers as multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help glossary 2`)</source>
-        <translation>skriv tal som multiplar av ett slags skalor d0, v0, I0, F0 och t0 (`drillwave help glossary 2`)</translation>
+        <source>print dimensionless numbers: multiples of the scales d0, v0, I0, F0 and t0 of a blow (`drillwave help glossary 2`)</source>
+        <translation>skriv dimensionslösa tal: multiplar av ett slags skalor d0, v0, I0, F0 och t0 (`drillwave help glossary 2`)</translation>
     </message>
     <message>
-        <source>also write one row for each blow to FILE.csv, and the scenario and options to FILE.csv.yaml; with DIR, write the files of a drilling run there; -o - prints the rows</source>
-        <translation>skriv även en rad per slag till FILE.csv, scenario och val till FILE.csv.yaml; med DIR skrivs borrkörningens filer dit; -o - skriver ut raderna</translation>
+        <source>FILE.csv: also write one row per blow, with the settings in FILE.csv.yaml; DIR: write all files of the run into DIR; -o - prints the rows</source>
+        <translation>FILE.csv: skriv även en rad per slag, med inställningarna i FILE.csv.yaml; DIR: skriv alla körningens filer till DIR; -o - skriver ut raderna</translation>
     </message>
     <message>
         <source>vary the blow frequency: short for --along drill.blow_frequency=VALUES</source>
@@ -16133,26 +16129,26 @@ noll är avskurna.</translation>
         <translation>fil eller mapp för rapporten; -o - skriver ut HTML-texten</translation>
     </message>
     <message>
-        <source>reproduce the figures of the paper; compare each printed number with the exact one</source>
-        <translation>återge artikelns figurer och jämför varje tryckt tal med det exakta</translation>
+        <source>reproduce the figures of the paper on which the model is based; compare each number printed there with the exact one</source>
+        <translation>återge figurerna i den artikel som modellen bygger på; jämför varje tryckt tal med det exakta</translation>
     </message>
     <message>
-        <source>folder to write into; -o - prints only discrepancies.csv</source>
-        <translation>mapp att skriva i; -o - skriver bara ut discrepancies.csv</translation>
+        <source>folder to write into; -o - prints only discrepancies.csv (printed and exact numbers of the paper)</source>
+        <translation>mapp att skriva i; -o - skriver bara ut discrepancies.csv (artikelns tryckta tal och de exakta)</translation>
     </message>
     <message>
         <source>compare error and run time of every method and resolution</source>
         <translation>jämför fel och beräkningstid för alla metoder och upplösningar</translation>
     </message>
     <message>
-        <source>Solves the blow exactly, in closed form if it applies, and on the paper&apos;s lattice with 100 to
-20000 segments. Compares the errors and run times of these methods, which takes some ten seconds.
-For drill strings, compares the solver of this program (polynomial cells) at several cell sizes
-with a plain lattice.</source>
-        <translation>Löser slaget exakt, i sluten form om den gäller, och med artikelns gitter på 100 till 20000
-segment. Jämför metodernas fel och beräkningstider, vilket tar omkring tio sekunder. För en
-borrsträng jämförs programmets metod (polynomceller) vid flera cellstorlekar med ett enkelt
-gitter.</translation>
+        <source>Solves the blow exactly, in closed form if it applies, and numerically with the rod divided into
+100 to 20000 segments (lattice). Compares errors and run times, which takes some ten seconds. For
+drill strings, compares the solver of this program at several cell sizes with a lattice of
+constant cells.</source>
+        <translation>Löser slaget exakt, i sluten form om den gäller, och numeriskt med stången delad i 100 till
+20000 segment (gitter). Jämför fel och beräkningstider, vilket tar omkring tio sekunder. För en
+borrsträng jämförs programmets metod vid flera cellstorlekar med ett gitter av konstanta
+celler.</translation>
     </message>
     <message>
         <source>also write the table to accuracy.csv in DIR; -o - prints this CSV instead of the table</source>
@@ -16163,24 +16159,24 @@ gitter.</translation>
         <translation>kontrollera lösaren på styva och extrema fall</translation>
     </message>
     <message>
-        <source>Solves some thousand cases: published cases, cases known to break such solvers, each parameter
-through its whole range, and combinations of extreme values for every shape of the blow. The
-checks of each case: momentum and energy are balanced, the rock does not pull, no contact is
-missed after the end, and e hardly changes if a parameter changes by 1e-10. Results are also
-compared with the limits of soft and rigid rock and, if its steps are short enough for the
-contact, with the lattice solver. The stated error is compared with a solution in long double.
-Exit code 6 if any check fails.
-Two ranges are not covered, because their waves have more than 30 million polynomial pieces: beta
-below 1e-6 with gamma below 1, and tau below 0.1 with exponential and piston blows.</source>
-        <translation>Löser några tusen fall: publicerade fall, fall som är kända för att fälla sådana lösare, varje
-parameter genom hela sitt område och kombinationer av extremvärden för varje slagform. För varje
-fall kontrolleras att rörelsemängd och energi balanserar, att berget inte drar, att ingen kontakt
-missas efter slutet och att e knappt ändras om en parameter ändras med 1e-10. Resultaten jämförs
-även med gränsfallen mjukt och stelt berg och, om stegen är korta nog för kontakten, med
-gitterlösaren. Det angivna felet jämförs med en lösning i long double. Slutkod 6 om någon kontroll
-underkänns.
-Två områden ingår inte, eftersom deras vågor har mer än 30 miljoner polynombitar: beta under 1e-6
-med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</translation>
+        <source>Solves some thousand cases: published cases, difficult cases, each parameter through its whole
+range, and extreme combinations for every shape of the blow. Checks that momentum and energy are
+balanced, that the rock does not pull, and that no contact was missed. Also checks that e hardly
+changes if a parameter changes by 1e-10. Compares the results with the limits of soft and rigid
+rock, and with the lattice method if its steps are short enough. Compares the stated error with a
+more precise solution (long double). Exit code 6 if any check fails.
+Two ranges are not covered, because the exact solver would split the waves into more than 30
+million pieces. They are beta below 1e-6 with gamma below 1, and tau below 0.1 with exponential
+and piston blows.</source>
+        <translation>Löser några tusen fall: publicerade fall, numeriskt svåra fall, varje parameter genom hela sitt
+område och kombinationer av extremvärden för varje slagform. Kontrollerar i varje fall att
+rörelsemängd och energi balanserar, att berget inte drar och att ingen kontakt missades. Kontrollerar
+även att e knappt ändras om en parameter ändras med 1e-10. Jämför resultaten med gränsfallen mjukt
+och stelt berg och, om dess tidssteg är korta nog, med gittermetoden. Jämför det angivna felet med en
+lösning med högre precision (long double). Slutkod 6 om någon kontroll underkänns.
+Två områden ingår inte, eftersom den exakta metoden skulle dela vågorna i mer än 30 miljoner
+bitar. De är beta under 1e-6 med gamma under 1, och tau under 0,1 med exponentiella slag och
+kolvslag.</translation>
     </message>
     <message>
         <source>print one JSON object with all cases</source>
@@ -16255,8 +16251,8 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
         <translation>största kraft i dämparen mellan maskin och stång</translation>
     </message>
     <message>
-        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it (d0 = 2 I0/Z; I0: impulse of a blow, Z: impedance of the rod)</source>
-        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det (d0 = 2 I0/Z; I0: ett slags impuls, Z: stångens impedans)</translation>
+        <source>contact share: share of blows that start with the bit on the rock, or less than 0.05 d0 away from it. d0 = 2 I0/Z, with the impulse I0 of a blow and the impedance Z of the rod</source>
+        <translation>kontaktandel: andel slag som börjar med borrkronan mot berget, eller mindre än 0,05 d0 från det. d0 = 2 I0/Z, med slagets impuls I0 och stångens impedans Z</translation>
     </message>
     <message>
         <source>mean number of contacts between bit and rock in a blow</source>
@@ -16285,31 +16281,31 @@ med gamma under 1, och tau under 0,1 med exponentiella slag och kolvslag.</trans
     <message>
         <source>
 drillwave help TOPIC prints the help of a command, as COMMAND --help and -h do. TOPIC can also be
-a parameter (help bit_rock.gamma), an output (help cor), an option (help --shard), a chapter of
-the manual or a section of it (help theory 10). For any other word (help feed) it prints the
-places of the manual that contain the word. drillwave version prints the version.
+a parameter (help bit_rock.gamma), an output (help cor) or an option (help --shard). It can be a
+chapter of the manual, or a section of it (help theory 10). For any other word (help feed) it
+prints the places of the manual that contain the word. drillwave version prints the version.
 
 Chapters: %1.
 
 Without a display, the window needs `-platform offscreen`. drillwave --reset-ui opens the window
 with its default layout, page, units and choices. drillwave --language de opens it in German, only
 this time (sv: Swedish, en: English). Commands also have --language; DRILLWAVE_LANGUAGE=de in the
-environment sets it for all of them.
+environment sets the language for all of them.
 
 Exit codes: %2.
 </source>
         <translation>
-drillwave help TOPIC skriver ut hjälpen till ett kommando, liksom COMMAND --help och -h. TOPIC kan
-också vara en parameter (help bit_rock.gamma), ett resultat (help cor), en flagga (help --shard),
-ett kapitel i handboken eller ett avsnitt ur det (help theory 10). För varje annat ord (help
+drillwave help TOPIC skriver ut hjälpen till ett kommando, liksom COMMAND --help och -h. TOPIC kan också
+vara en parameter (help bit_rock.gamma), ett resultat (help cor) eller en flagga (help --shard). Det kan
+även vara ett kapitel i handboken eller ett avsnitt ur det (help theory 10). För varje annat ord (help
 matning) skrivs de ställen i handboken där ordet förekommer. drillwave version skriver versionen.
 
 Kapitel i handboken: %1.
 
-Utan bildskärm behöver fönstret `-platform offscreen`.
-drillwave --reset-ui öppnar fönstret med ursprunglig layout, sida, enheter och val.
-drillwave --language de öppnar det på tyska, bara denna gång (sv: svenska, en: engelska).
-Även kommandon har --language; DRILLWAVE_LANGUAGE=de i miljön ställer in det för alla.
+Utan bildskärm behöver fönstret `-platform offscreen`. drillwave --reset-ui öppnar fönstret med
+ursprunglig layout, sida, enheter och val. drillwave --language de öppnar det på tyska, bara denna
+gång (sv: svenska, en: engelska). Även kommandon har --language; DRILLWAVE_LANGUAGE=de i miljön
+ställer in språket för alla.
 
 Slutkoder: %2.
 </translation>
@@ -16319,14 +16315,14 @@ Slutkoder: %2.
         <translation>skriv ut hjälpen till kommando, parameter eller resultat, eller ett kapitel i handboken</translation>
     </message>
     <message>
-        <source>TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a
-parameter (bit_rock.gamma), an output (cor), a symbol (e) or an option (--shard). For any other
-word (feed, units, exit codes), the places of the manual that contain it are printed, the best
-first.</source>
-        <translation>TOPIC är ett kommando (run), ett kapitel i handboken (theory) eller ett avsnitt ur det (theory
-10), en parameter (bit_rock.gamma), ett resultat (cor), en symbol (e) eller en flagga (--shard).
-För varje annat ord (matning, units, exit codes) skrivs de ställen i handboken där det förekommer,
-de bästa först.</translation>
+        <source>TOPIC is a command (run), an option (--shard), a parameter (bit_rock.gamma), an output (cor) or a
+symbol (e). It can also be a chapter of the manual (theory) or a section of it (theory 10). For
+any other word (feed, units, exit codes), the places of the manual that contain it are printed,
+the best first.</source>
+        <translation>TOPIC är ett kommando (run), en flagga (--shard), en parameter (bit_rock.gamma), ett resultat
+(cor) eller en symbol (e). Det kan även vara ett kapitel i handboken (theory) eller ett avsnitt ur
+det (theory 10). För varje annat ord (matning, units, exit codes) skrivs de ställen i handboken
+där det förekommer, de bästa först.</translation>
     </message>
     <message>
         <source>print the version of the program</source>
@@ -16337,17 +16333,16 @@ de bästa först.</translation>
         <translation>behåll färdiga rader i FILE.csv.partial; efter ett avbrott fortsätter samma kommando efter dem</translation>
     </message>
     <message>
-        <source>Writes FILE and its record FILE.yaml as the command would have written them without --shard, and
-ends with the same exit code. A PART is a file of rows with its record PART.yaml beside it, or a
-folder with all parts, in any order. All parts must come from the same run: same scenario, varied
-parameters, table of cases, build and number of parts. If a part is missing, given twice, from
-another run or changed since it was written, the message names it, with exit code 5.</source>
-        <translation>Skriver FILE och dess protokoll FILE.yaml som kommandot hade skrivit dem utan --shard, och slutar
-med samma slutkod. En PART är en fil med rader och dess protokoll PART.yaml intill, eller en mapp
-med alla delar, i valfri ordning. Alla delar måste komma från samma körning: samma scenario,
-varierade parametrar, falltabell, program och antal delar. Om en del saknas, är angiven två
-gånger, kommer från en annan körning eller har ändrats sedan den skrevs nämns den i meddelandet,
-med slutkod 5.</translation>
+        <source>Writes FILE and its description FILE.yaml as one run without --shard would have written them, with
+the same exit code. A PART is a file of rows with PART.yaml beside it, or a folder with all parts,
+in any order. All parts must come from the same run: same scenario, varied parameters, table of
+cases, build and number of parts. If a part is missing, given twice, from another run or changed
+since it was written, the message names it; the exit code is 5.</source>
+        <translation>Skriver FILE och beskrivningen FILE.yaml som en körning utan --shard hade skrivit dem, med samma
+slutkod. En PART är en fil med rader och PART.yaml intill, eller en mapp med alla delar, i valfri
+ordning. Alla delar måste komma från samma körning: samma scenario, varierade parametrar,
+falltabell, program och antal delar. Om en del saknas, är angiven två gånger, kommer från en annan
+körning eller har ändrats sedan den skrevs nämns den i meddelandet; slutkoden är 5.</translation>
     </message>
     <message>
         <source>list the built-in scenarios, print the named ones, or write them into a folder</source>
@@ -16370,8 +16365,8 @@ med slutkod 5.</translation>
         <translation>behåll alla mätvärden från --signal; som standard utelämnas några, så länge impuls och studstal ändras med mindre än 1e-4</translation>
     </message>
     <message>
-        <source>sign between the cells of the table: tab, semicolon, comma, bar or blank (default: detected)</source>
-        <translation>tecken mellan tabellens celler: tab, semicolon, comma, bar eller blank (standard: hittas)</translation>
+        <source>sign between the columns of the table: tab, semicolon, comma, bar (|) or blank (default: detected)</source>
+        <translation>tecken mellan tabellens kolumner: tab, semicolon, comma, bar (|) eller blank (standard: hittas)</translation>
     </message>
     <message>
         <source>decimal sign of the table: point or comma (default: detected)</source>
@@ -16418,8 +16413,8 @@ med slutkod 5.</translation>
         <translation>bryggans matningsspänning i volt, för en signal i volt</translation>
     </message>
     <message>
-        <source>bridge factor of the strain gauges: 1 for a quarter bridge, 2 for a half, 4 for a full bridge, 2.6 for a full bridge with Poisson gauges</source>
-        <translation>töjningsgivarnas bryggfaktor: 1 för en kvartsbrygga, 2 för en halv-, 4 för en helbrygga, 2.6 för en helbrygga med tvärgivare</translation>
+        <source>bridge factor of the strain gauges: 1 (quarter bridge), 2 (half bridge), 4 (full bridge) or 2.6 (full bridge with Poisson gauges)</source>
+        <translation>töjningsgivarnas bryggfaktor: 1 (kvartsbrygga), 2 (halvbrygga), 4 (helbrygga) eller 2.6 (helbrygga med tvärgivare)</translation>
     </message>
     <message>
         <source>gauge factor of the strain gauges, for a signal in volts or mV/V</source>
@@ -16450,12 +16445,12 @@ med slutkod 5.</translation>
         <translation>vänd signalens tecken: dess största värde är drag (standard: tryck)</translation>
     </message>
     <message>
-        <source>treatment of rows without a number: refuse the table, or skip these rows (default: refuse)</source>
-        <translation>behandling av rader utan tal: refuse (avvisa tabellen) eller skip (hoppa över raderna) (standard: refuse)</translation>
+        <source>treatment of rows in which a value is not a number: refuse the table, or skip these rows (default: refuse)</source>
+        <translation>behandling av rader där ett värde inte är ett tal: refuse (avvisa tabellen) eller skip (hoppa över raderna) (standard: refuse)</translation>
     </message>
     <message>
-        <source>read with the options that `drillwave signal --save-recorder NAME` has saved</source>
-        <translation>läs med de alternativ som `drillwave signal --save-recorder NAME` har sparat</translation>
+        <source>read the record with the options that `drillwave signal --save-recorder NAME` has saved</source>
+        <translation>läs mätningen med de alternativ som `drillwave signal --save-recorder NAME` har sparat</translation>
     </message>
     <message>
         <source>design variable to vary; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C; to compare presets: hammer=NAME,NAME</source>
@@ -16467,17 +16462,17 @@ med slutkod 5.</translation>
     </message>
     <message>
         <source>Reads tables of a signal measured over time, and finds encoding, separator, decimal sign, columns
-and units. If the table does not state something, the last lines ask for it, and the exit code is
-5. Several RECORDs are read as one series and give one row each. Commands that take a scenario can
-use such a record as the blow, with --signal FILE and the same options.</source>
+and units. If the table does not state something that is needed, the last lines printed ask for
+it, and the exit code is 5. Several RECORDs are read as one series and give one row each. Commands
+that take a scenario can use such a record as the blow, with --signal FILE and the same options.</source>
         <translation>Läser tabeller med en signal som mätts över tiden och hittar kodning, avgränsare, decimaltecken,
-kolumner och enheter. Om tabellen inte anger något frågar de sista raderna efter det, och
-slutkoden är 5. Flera RECORD läses som en serie och ger en rad var. Kommandon som tar ett scenario
-kan använda en sådan mätning som slag, med --signal FILE och samma alternativ.</translation>
+kolumner och enheter. Om tabellen inte anger något som behövs frågar de sista utskrivna raderna
+efter det, och slutkoden är 5. Flera RECORD läses som en serie och ger en rad var. Kommandon som
+tar ett scenario kan använda en sådan mätning som slag, med --signal FILE och samma alternativ.</translation>
     </message>
     <message>
-        <source>save these options under this name, for later use with --recorder NAME</source>
-        <translation>spara dessa alternativ under detta namn, för senare användning med --recorder NAME</translation>
+        <source>save the options for reading the record under this name; --recorder NAME uses them again</source>
+        <translation>spara alternativen för att läsa mätningen under detta namn; --recorder NAME använder dem igen</translation>
     </message>
     <message>
         <source>print JSON; for several FILEs, an array</source>
@@ -16496,8 +16491,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>skriv CSV med semikolon mellan celler och decimalkomma</translation>
     </message>
     <message>
-        <source>mean of a normally distributed gap, such as 0.5mm; without physical units in multiples of d0, such as 0.2 (default: the gap of FILE)</source>
-        <translation>medelvärde för en normalfördelad spalt, t.ex. 0.5mm; utan fysikaliska enheter i multiplar av d0, t.ex. 0.2 (standard: spalten i FILE)</translation>
+        <source>mean of a normally distributed gap, such as 0.5mm (default: the gap of FILE); if FILE has no physical units, a multiple of d0, such as 0.2</source>
+        <translation>medelvärde för en normalfördelad spalt, t.ex. 0.5mm (standard: spalten i FILE); om FILE inte har fysikaliska enheter, en multipel av d0, t.ex. 0.2</translation>
     </message>
     <message>
         <source>print one JSON object instead of the table</source>
@@ -16516,20 +16511,20 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>lösningsmetod: exact, lattice (tidssteg) eller closed_form (förval: exact; för en resultatfil dess egen metod)</translation>
     </message>
     <message>
-        <source>number of segments into which the lattice method divides the rod (default: 10000, as in the paper)</source>
-        <translation>antal segment som gittermetoden delar stången i (standard: 10000, som i artikeln)</translation>
+        <source>number of segments into which the lattice method (time steps) divides the rod (default: 10000)</source>
+        <translation>antal segment som gittermetoden (tidssteg) delar stången i (standard: 10000)</translation>
     </message>
     <message>
-        <source>do not solve a blow that needs more than N wave pieces in the exact solver (default: 1000000, a few seconds at most)</source>
-        <translation>lös inte ett slag som kräver mer än N vågbitar i den exakta metoden (förval: 1000000, högst några sekunder)</translation>
+        <source>do not solve a blow whose waves the exact solver must split into more than N pieces (default: 1000000, a few seconds at most)</source>
+        <translation>lös inte ett slag vars vågor den exakta metoden måste dela i mer än N bitar (förval: 1000000, högst några sekunder)</translation>
     </message>
     <message>
         <source>outputs to write as columns, listed below (default: cor, the coefficient of restitution)</source>
         <translation>resultat att skriva som kolumner, listade nedan (standard: cor, studstalet)</translation>
     </message>
     <message>
-        <source>leave the outputs of a row empty if its blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per row)</source>
-        <translation>lämna resultaten i en rad tomma om dess slag kräver mer än N vågbitar i den exakta metoden (förval: 1000000, högst omkring 2 s per rad)</translation>
+        <source>leave outputs empty if the exact solver must split the waves into more than N pieces (default: 1000000, at most about 2 s per row)</source>
+        <translation>lämna resultaten i en rad tomma om den exakta metoden måste dela vågorna i mer än N bitar (förval: 1000000, högst omkring 2 s per rad)</translation>
     </message>
     <message>
         <source>number of threads (default: all)</source>
@@ -16544,20 +16539,20 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
     </message>
     <message>
-        <source>skip blows that need more than N wave pieces in the exact solver (default: 1000000)</source>
-        <translation>hoppa över slag som kräver mer än N vågbitar i den exakta metoden (förval: 1000000)</translation>
+        <source>skip blows whose waves the exact solver must split into more than N pieces (default: 1000000)</source>
+        <translation>hoppa över slag vars vågor den exakta metoden måste dela i mer än N bitar (förval: 1000000)</translation>
     </message>
     <message>
         <source>output to map, listed below (default: cor, the coefficient of restitution)</source>
         <translation>kartans resultat, listade nedan (standard: cor, studstalet)</translation>
     </message>
     <message>
-        <source>print one JSON object, with the contours, instead of the summary</source>
-        <translation>skriv ut ett JSON-objekt med konturerna i stället för sammanfattningen</translation>
+        <source>print the summary and the contours of the map as one JSON object</source>
+        <translation>skriv ut sammanfattningen och kartans nivåkurvor som ett JSON-objekt</translation>
     </message>
     <message>
-        <source>skip points whose blow needs more than N wave pieces in the exact solver (default: 1000000, at most about 2 s per point)</source>
-        <translation>hoppa över punkter vars slag kräver mer än N vågbitar i den exakta metoden (förval: 1000000, högst omkring 2 s per punkt)</translation>
+        <source>skip points for which the exact solver must split the waves into more than N pieces (default: 1000000, at most about 2 s per point)</source>
+        <translation>hoppa över punkter där den exakta metoden måste dela vågorna i mer än N bitar (förval: 1000000, högst omkring 2 s per punkt)</translation>
     </message>
     <message>
         <source>number of blows: short for --set drill.blows=N (default: 1000, with --scan 300)</source>
@@ -16572,12 +16567,12 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>skriv tal i SI-enheter (standard)</translation>
     </message>
     <message>
-        <source>refuse a computation of more than N steps, counted as time steps times section ends (default: 4e9)</source>
-        <translation>avvisa en beräkning med mer än N steg, räknade som tidssteg gånger sektionsändar (förval: 4e9)</translation>
+        <source>refuse a computation if its number of time steps times its number of section ends is above N (default: 4e9)</source>
+        <translation>avvisa en beräkning om antalet tidssteg gånger antalet sektionsändar är större än N (förval: 4e9)</translation>
     </message>
     <message>
-        <source>vary this parameter and add a table over it; VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C (default COUNT: 101, or each whole number)</source>
-        <translation>variera denna parameter och lägg till en tabell över den; VALUES är START:STOP[:COUNT], START:STOP[:COUNT]:log (lika förhållanden) eller A,B,C (standard för COUNT: 101, eller varje heltal)</translation>
+        <source>also print a table over the values of this parameter. VALUES is START:STOP[:COUNT], START:STOP[:COUNT]:log (equal ratios) or A,B,C. Default COUNT: 101, or every integer if the parameter is an integer</source>
+        <translation>skriv även ut en tabell över värdena på denna parameter. VALUES är START:STOP[:COUNT], START:STOP[:COUNT]:log (lika förhållanden) eller A,B,C. Standard för COUNT: 101, eller varje heltal för heltalsparametrar</translation>
     </message>
     <message>
         <source>number of processor threads for --along (default: all)</source>
@@ -16596,8 +16591,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>figurernas format (standard: png,svg)</translation>
     </message>
     <message>
-        <source>segment counts of the lattice method to compare, such as 100,1000 (default: from 100 to 20000)</source>
-        <translation>segmentantal för gittermetoden att jämföra, till exempel 100,1000 (förval: från 100 till 20000)</translation>
+        <source>numbers of rod segments to compare in the lattice method (time steps), such as 100,1000 (default: from 100 to 20000)</source>
+        <translation>antal stångsegment att jämföra i gittermetoden (tidssteg), till exempel 100,1000 (förval: från 100 till 20000)</translation>
     </message>
     <message>
         <source>limit the work of the lattice method, counted as time steps times segments (default: 1000000000, about half a minute)</source>
@@ -16608,8 +16603,8 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>bestäm bergets styvhet och elasticitet ur töjningsgivare, med osäkerhet</translation>
     </message>
     <message>
-        <source>also write tables, random samples of the rock and the scenario with the identified rock into DIR</source>
-        <translation>skriv även tabeller, slumpmässiga stickprov av berget och scenariot med det identifierade berget till DIR</translation>
+        <source>also write tables, random samples of the rock, and the scenario with the rock that was found, into DIR</source>
+        <translation>skriv även tabeller, slumpmässiga stickprov av berget samt scenariot med det funna berget till DIR</translation>
     </message>
     <message>
         <source>limit: accept only designs for which this statistic of the output is at most VALUE</source>
@@ -16624,20 +16619,20 @@ kan använda en sådan mätning som slag, med --signal FILE och samma alternativ
         <translation>läs dessa mätningar från töjningsgivare; ange flera i deras ordning längs hålet</translation>
     </message>
     <message>
-        <source>column of a gauge and its distance from the bit face, once or twice; A+B@… takes the mean of two gauges on opposite sides</source>
-        <translation>kolumn för en givare och dess avstånd från kronans front, en eller två gånger; A+B@… tar medelvärdet av två givare på motsatta sidor</translation>
+        <source>column of a gauge and its distance from the bit face; give one or two gauges. A+B@… takes the mean of two gauges on opposite sides</source>
+        <translation>kolumn för en givare och dess avstånd från kronans front; ange en eller två givare. A+B@… tar medelvärdet av två givare på motsatta sidor</translation>
     </message>
     <message>
-        <source>tolerance of an input that is known: KEY (gain, zero, gauge or a size) is within +-TOL of its value with 95 % probability; see the description of the command</source>
-        <translation>tolerans för en känd indata: KEY (gain, zero, gauge eller ett mått) ligger med 95&#xa0;% sannolikhet inom +-TOL från sitt värde; se beskrivningen av kommandot</translation>
+        <source>95 % tolerance of a known input: KEY (gain, zero, gauge or a dimension) is within +-TOL of its value; see the description of the command</source>
+        <translation>95&#xa0;%-tolerans för en känd indata: KEY (gain, zero, gauge eller ett mått) ligger inom +-TOL från sitt värde; se beskrivningen av kommandot</translation>
     </message>
     <message>
         <source>support behind the rock or specimen: rigid, or bar if the specimen is between two equal bars (default: rigid)</source>
         <translation>stöd bakom berg eller prov: rigid (stelt), eller bar om provet ligger mellan två likadana stänger (standard: rigid)</translation>
     </message>
     <message>
-        <source>predict the wave at a second gauge, DISTANCE behind the specimen on the bar there, and print the error; needs --backing bar</source>
-        <translation>förutsäg vågen vid en andra givare, på avståndet DISTANCE bakom provet på stången där, och skriv ut felet; kräver --backing bar</translation>
+        <source>predict the wave at a gauge on the bar behind the specimen, DISTANCE away from the specimen, and print the error; needs --backing bar</source>
+        <translation>förutsäg vågen vid en givare på stången bakom provet, på avståndet DISTANCE från provet, och skriv ut felet; kräver --backing bar</translation>
     </message>
     <message>
         <source>correction for the dispersion of waves between gauge and bit: fit (estimated from the record), bar (theory of a round bar) or none (default: fit)</source>
@@ -16672,16 +16667,16 @@ borrsträng visar rapporten även sektionerna, skalenligt ritade, med sina stör
         <translation>lägg till studier i rapporten: drill (slag i följd), design (bästa konstruktion, enligt blocket `design` i FILE)</translation>
     </message>
     <message>
-        <source>number of threads for the studies of --with (default: all)</source>
-        <translation>antal trådar för studierna i --with (standard: alla)</translation>
+        <source>number of processor threads for the studies added by --with (default: all)</source>
+        <translation>antal trådar för de studier som --with lägger till (standard: alla)</translation>
     </message>
     <message>
         <source>feed force that single blows require, and whether the installed one is sufficient</source>
         <translation>matningskraft som enstaka slag kräver, och om den angivna räcker</translation>
     </message>
     <message>
-        <source>with -o, also write the strain that a gauge at this distance from the bit face would record; COLUMN names it</source>
-        <translation>med -o: skriv även den töjning som en givare på detta avstånd från kronans front skulle registrera; COLUMN ger den namn</translation>
+        <source>with -o, also write the strain that a gauge at this distance from the bit face would record, in a column named COLUMN</source>
+        <translation>med -o: skriv även den töjning som en givare på detta avstånd från kronans front skulle registrera, i en kolumn med namnet COLUMN</translation>
     </message>
     <message>
         <source>white noise to add to --record, in % of its largest strain (default: 0%)</source>
@@ -16695,53 +16690,53 @@ borrsträng visar rapporten även sektionerna, skalenligt ritade, med sina stör
         <source>-o DIR writes scenario.yaml, summary.json, histories.csv and events.csv; each of them contains the
 scenario, so that `drillwave run` can run it again. With --plots, it also writes the plots blow.*,
 rock.*, wave_picture.* and rod.*. For drill strings, the histories are taken at the middle of the
-longest section. To rehearse a measurement for `identify`, --record near@1.13m --record far@2.93m
---noise 1% also writes record.csv, the strain that two gauges would record in 1e6 samples per
-second. --record top+bottom@1.13m records two gauges on opposite sides of the rod, each with its
-own noise.</source>
+longest section. To rehearse a measurement for `identify`, add --record near@1.13m --record
+far@2.93m --noise 1%. This also writes record.csv, the strain that two gauges would record in 1e6
+samples per second. --record top+bottom@1.13m records two gauges on opposite sides of the rod,
+each with its own noise.</source>
         <translation>-o DIR skriver scenario.yaml, summary.json, histories.csv och events.csv; var och en innehåller
 scenariot, så att `drillwave run` kan köra den igen. Med --plots skrivs även diagrammen blow.*,
 rock.*, wave_picture.* och rod.*. För borrsträngar gäller förloppen mitten av den längsta
-sektionen. För att öva en mätning inför `identify` skriver --record near@1.13m --record far@2.93m
---noise 1% även record.csv, den töjning som två givare skulle registrera med 1e6 sampel per
-sekund. --record upp+ner@1.13m registrerar två givare på motsatta sidor av stången, var och en med
-eget brus.</translation>
+sektionen. För att öva en mätning inför `identify`, lägg till --record near@1.13m --record
+far@2.93m --noise 1%. Då skrivs även record.csv, den töjning som två givare skulle registrera med
+1e6 sampel per sekund. --record upp+ner@1.13m registrerar två givare på motsatta sidor av stången,
+var och en med eget brus.</translation>
     </message>
     <message>
-        <source>Solves every design, that is, every combination of the --choose values, with the same random
-samples of the uncertain inputs. Prints which design is best over all samples (best for uncertain
-rock) and which is best with the inputs of FILE (best for the values entered), both by the first
---aim. Also prints which designs are equally good within the errors, which input to measure first,
-and the worst case found in the ranges. The first sentence includes a warning if the recommended
-design exceeds a strength.
+        <source>Solves every design (every combination of the --choose values) with the same samples of the
+uncertain inputs. Prints the best design over all samples (best for uncertain rock) and the
+best with the inputs of FILE (best for the values entered). The first --aim decides both. Also
+prints which designs are equally good within the errors, which input to measure first, and the
+worst case in the ranges. The first sentence warns if the recommended design exceeds a
+strength.
   --uncertain KEY=LOW:HIGH   all values from LOW to HIGH equally likely; with :log, equally likely
-                             in the logarithm; with :normal or :lognormal, a normal distribution
-                             with 95 % of the values from LOW to HIGH
-  --uncertain KEY=+-P%       range around the value of FILE, or of the design
-  --choose hammer=NAME,NAME  hammer presets by name, or all of them: hammer=all; also rod=. For
-                             drill strings, hammer= takes pistons, and bit= takes bits
+                             on a logarithmic scale. With :normal or :lognormal, a normal or
+                             lognormal distribution with 95 % of the values from LOW to HIGH
+  --uncertain KEY=+-P%       P % to either side of the value in FILE, or of the --choose value
+  --choose hammer=NAME,NAME  hammer presets by name, or hammer=all for all of them; rod= works in the
+                             same way. For drill strings, hammer= takes pistons, and bit= takes bits
 A STATISTIC is mean, q01 to q99 (quantiles), min, max or nominal (with the inputs of FILE).
 Without --aim, the objectives are max:efficiency@q05 and, if FILE has a blow frequency,
 min:thrust@q95. Options that are not given are taken from the block `design` of FILE. -o DIR
 writes designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with
 --plots, design.png.</source>
-        <translation>Löser varje konstruktion, det vill säga varje kombination av värdena i --choose, med samma
-slumpmässiga stickprov av de osäkra storheterna. Skriver ut vilken konstruktion som är bäst över
-alla stickprov (bäst för osäkert berg) och vilken som är bäst med indata i FILE (bäst för de
-angivna värdena), båda efter det första --aim. Skriver även vilka konstruktioner som är lika bra
-inom felen, vilken storhet som bör mätas först, och det sämsta fallet som hittades inom områdena.
-Den första meningen innehåller en varning om den rekommenderade konstruktionen överskrider en
-hållfasthet.
-  --uncertain KEY=LOW:HIGH   alla värden från LOW till HIGH lika sannolika; med :log lika
-                             sannolika i logaritmen; med :normal eller :lognormal en
-                             normalfördelning med 95&#xa0;% av värdena från LOW till HIGH
-  --uncertain KEY=+-P%       område kring värdet i FILE, eller i konstruktionen
-  --choose hammer=NAME,NAME  hammarförval med namn, eller alla: hammer=all; även rod=. För
-                             borrsträngar tar hammer= kolvar och bit= borrkronor
-En STATISTIC är mean, q01 till q99 (kvantiler), min, max eller nominal (med indata i FILE). Utan
---aim är målstorheterna max:efficiency@q05 och, om FILE har en slagfrekvens, min:thrust@q95.
-Alternativ som inte anges tas ur blocket `design` i FILE. -o DIR skriver designs.csv, pareto.csv,
-sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots, design.png.</translation>
+        <translation>Löser varje konstruktion (varje kombination av värdena i --choose) med samma slumpmässiga
+stickprov av de osäkra storheterna. Skriver ut den bästa konstruktionen över alla stickprov (bäst
+för osäkert berg) och den bästa med indata i FILE (bäst för de angivna värdena). Det första --aim
+avgör båda. Skriver även vilka konstruktioner som är lika bra inom felen, vilken storhet som bör
+mätas först, och det sämsta fallet inom områdena. Den första meningen varnar om den rekommenderade
+konstruktionen överskrider en hållfasthet.
+  --uncertain KEY=LOW:HIGH   alla värden från LOW till HIGH lika sannolika; med :log lika sannolika
+                             på logaritmisk skala. Med :normal eller :lognormal en normal- eller
+                             lognormalfördelning med 95&#xa0;% av värdena från LOW till HIGH
+  --uncertain KEY=+-P%       P&#xa0;% åt båda sidor om värdet i FILE, eller om värdet i --choose
+  --choose hammer=NAME,NAME  hammarförval med namn, eller alla med hammer=all; rod= fungerar
+                             likadant. För borrsträngar tar hammer= kolvar och bit= borrkronor
+En STATISTIC är mean, q01 till q99 (kvantiler), min, max eller nominal (med indata i FILE).
+Utan --aim är målstorheterna max:efficiency@q05 och, om FILE har en slagfrekvens,
+min:thrust@q95. Alternativ som inte anges tas ur blocket `design` i FILE. -o DIR skriver
+designs.csv, pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots,
+design.png.</translation>
     </message>
     <message>
         <source>Lists the built-in presets, or those of FILE.yaml. KIND restricts the list to rod, hammer, rock,
@@ -16759,59 +16754,60 @@ sida Sträng.</translation>
         <translation>skriv körningens filer till DIR; -o - skriver inga</translation>
     </message>
     <message>
-        <source>write the rows to FILE.csv, with their record FILE.csv.yaml beside it; -o - prints the rows (default)</source>
-        <translation>skriv raderna till FILE.csv, med protokollet FILE.csv.yaml bredvid; -o - skriver ut raderna (standard)</translation>
+        <source>write the rows to FILE.csv, and the settings of the run to FILE.csv.yaml; -o - prints the rows (default)</source>
+        <translation>skriv raderna till FILE.csv och körningens inställningar till FILE.csv.yaml; -o - skriver ut raderna (standard)</translation>
     </message>
     <message>
-        <source>Follows outputs over a whole range of a parameter, between any grid points, and finds every kink
-and jump. For each output, prints where it is smallest and largest, its local extremes, its kinks
-and jumps, and where it crosses a --level, all with their errors. If this needs too much computing
-for an output, it is solved only at single points, and the table says so.
---goal X prints the values of the parameter at which the output is X, each with its error, and
-whether there may be others. If no value gives X, it prints the value that comes nearest. Values
-carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
-        <translation>Följer resultat över ett helt område av en parameter, även mellan punkterna i varje rutnät, och
-hittar varje knäck och språng. Skriver för varje resultat var det är minst och störst, dess lokala
-extremvärden, knäckar och språng, och var det korsar en nivå (--level), allt med sitt fel. Om det
-kräver för mycket beräkning löses resultatet bara i enstaka punkter, och tabellen säger det.
---goal X skriver de värden på parametern där resultatet är X, vart och ett med sitt fel, och om
-det kan finnas fler. Om inget värde ger X skrivs det värde som kommer närmast. Värden anges med
-enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+        <source>Follows outputs continuously over the range of a parameter, and finds every kink and jump. For
+each output, prints where it is smallest and largest, its other minima and maxima, its kinks and
+its jumps. Also prints where the output crosses a --level. All values have errors. If following an
+output takes too much computing, it is solved only at single points, and the table says so.
+--goal X prints every value of the parameter at which the output is X, with its error, and whether
+there may be others. If no value gives X, prints the output nearest to X and where it occurs. Give
+values with units if the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Följer resultat kontinuerligt över en parameters område och hittar varje knäck och språng. Skriver
+för varje resultat var det är minst och störst, dess andra minima och maxima, dess knäckar och
+språng. Skriver även var resultatet korsar en nivå (--level). Alla värden har fel. Om det kräver
+för mycket beräkning löses resultatet bara i enstaka punkter, och tabellen säger det.
+--goal X skriver varje värde på parametern där resultatet är X, med sitt fel, och om det kan
+finnas fler. Om inget värde ger X skrivs det resultat som kommer närmast X, och var det finns.
+Ange värden med enhet om parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
     </message>
     <message>
-        <source>Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock, from the
-waves that strain gauges record on the rod, or on the last rod of a string. Prints the values with
-their 95 % intervals, what
-limits their accuracy, and what to measure better. The bit_rock of FILE is used only with --law
-file. --known KEY=+-TOL states how well the inputs are known:
+        <source>Finds stiffness and elasticity (gamma) of the rock, and the gap between bit and rock. Uses the
+waves recorded by strain gauges on the rod, or on the last rod of a string. Prints the values
+with their 95 % intervals, what limits their accuracy, and what to measure better. The rock of
+FILE (bit_rock) is used only with --law file. --known KEY=+-TOL states how well the inputs are
+known:
   --known gain=+-5% zero=+-1%   gain of the amplifier, and its zero line in % of the peak
   --known gauge=+-2mm           distance of the gauges from the bit face
-  --known rod.diameter=+-0.1mm  a size of the section with the gauge, or of a section between
+  --known rod.diameter=+-0.1mm  a dimension of the section with the gauge, or of a section between
                                 gauge and bit
 Records are read with the options of `signal`. -o DIR writes identified.yaml, posterior.csv
 (random samples of the rock for design --draws), match.csv, force_penetration.csv, incident.csv,
 identify.json and, for several records, records.csv. Exit code 0: stiffness or gamma is known.
 Exit code 6: neither is known, or the record contradicts the model. The intervals can be too
-narrow if the rock does not load along one straight line and unload along another (commands
+narrow if the loading or the unloading curve of the rock is not a straight line (commands
 §4.17).</source>
-        <translation>Bestämmer bergets styvhet och elasticitet (gamma) och spalten mellan borrkrona och berg ur de
-vågor som töjningsgivare
-registrerar på stången, eller på den sista stången i en sträng. Skriver ut värdena med deras 95
-%-intervall, vad som begränsar noggrannheten och vad som bör mätas bättre. bit_rock i FILE används
-bara med --law file. --known KEY=+-TOL anger hur väl indata är kända:
+        <translation>Bestämmer bergets styvhet och elasticitet (gamma) och spalten mellan borrkrona och berg. Använder
+de vågor som töjningsgivare registrerar på stången, eller på den sista stången i en sträng.
+Skriver ut värdena med deras 95&#xa0;%-intervall, vad som begränsar noggrannheten och vad som bör mätas
+bättre. Berget i FILE (bit_rock) används bara med --law file. --known KEY=+-TOL anger hur väl
+indata är kända:
   --known gain=+-5% zero=+-1%   förstärkarens förstärkning, och dess nollinje i % av toppen
   --known gauge=+-2mm           givarnas avstånd från kronans front
   --known rod.diameter=+-0.1mm  ett mått på sektionen med givaren, eller på en sektion mellan
                                 givare och krona
-Mätningar läses med alternativen för `signal`. -o DIR skriver identified.yaml, posterior.csv
-(stickprov av berget för design --draws), match.csv, force_penetration.csv, incident.csv,
-identify.json och, för flera mätningar, records.csv. Slutkod 0: styvhet eller gamma är känd.
-Slutkod 6: ingen av dem är känd, eller mätningen motsäger modellen. Intervallen kan vara för snäva
-om berget inte belastas längs en rät linje och avlastas längs en annan (commands §4.17).</translation>
+Mätningar läses med alternativen för `signal`. -o DIR skriver identified.yaml,
+posterior.csv (stickprov av berget för design --draws), match.csv, force_penetration.csv,
+incident.csv, identify.json och, för flera mätningar, records.csv. Slutkod 0: styvhet eller
+gamma är känd. Slutkod 6: ingen av dem är känd, eller mätningen motsäger modellen.
+Intervallen kan vara för snäva om bergets belastnings- eller avlastningskurva inte är en
+rät linje (commands §4.17).</translation>
     </message>
     <message>
-        <source>rock law to fit to the record: auto, bilinear or corner; file checks the law given in FILE without a fit (default: auto)</source>
-        <translation>berglag som anpassas till mätningen: auto, bilinear eller corner; file prövar lagen i FILE utan anpassning (förval: auto)</translation>
+        <source>rock law to fit: bilinear (straight loading curve), corner (one corner in it) or auto (either); file checks the law given in FILE without a fit (default: auto)</source>
+        <translation>berglag som anpassas till mätningen: bilinear (rak belastningskurva), corner (med ett hörn) eller auto (någon av dem); file prövar lagen i FILE utan anpassning (förval: auto)</translation>
     </message>
     <message>
         <source>date printed in the report, any text (default: none)</source>
@@ -16822,32 +16818,33 @@ om berget inte belastas längs en rät linje och avlastas längs en annan (comma
         <translation>skriv inga diagram och ingen PDF; då behövs ingen skärm</translation>
     </message>
     <message>
-        <source>Writes into DIR the data of Figs 3 to 8 of the paper as CSV, the figures as pictures, and
-discrepancies.csv, which compares each number printed in the paper with the exact one. index.html
-shows all of them. The reference curves of the paper are written twice, because its plots and its
-text scale stiffness differently: with k0 = Z/(2T), as in the plots, and with k0 = Z/t0, as in the
-text. Z is the impedance of the rod, T the time of a wave along the rod, t0 the duration of the
+        <source>Writes into DIR the data of Figs 3 to 8 of the paper on which the model is based, as CSV and
+as pictures. discrepancies.csv compares each number printed in that paper with the exact one.
+index.html shows all of them. The reference curves are written twice, because the paper
+scales stiffness in two ways: by k0 = Z/(2T) in its plots, by k0 = Z/t0 in its text. Z is the
+impedance of the rod, T the time that a wave takes along the rod, t0 the duration of the
 blow.</source>
-        <translation>Skriver till DIR data för artikelns fig. 3 till 8 som CSV, figurerna som bilder och
-discrepancies.csv, som jämför varje tal som artikeln trycker med det exakta. index.html visar
-alltsammans. Referenskurvorna skrivs två gånger, eftersom artikelns diagram och text skalar
-styvheten olika: med k0 = Z/(2T) som i diagrammen och med k0 = Z/t0 som i texten. Z är stångens
-impedans, T en vågs tid längs stången, t0 slagets varaktighet.</translation>
+        <translation>Skriver till DIR data för fig. 3 till 8 i den artikel som modellen bygger på, som CSV
+och som bilder. discrepancies.csv jämför varje tal som artikeln trycker med det
+exakta. index.html visar alltsammans. Referenskurvorna skrivs två gånger, eftersom
+artikeln skalar styvheten på två sätt: med k0 = Z/(2T) i diagrammen och med k0 = Z/t0
+i texten. Z är stångens impedans, T den tid en våg behöver längs stången, t0 slagets
+varaktighet.</translation>
     </message>
     <message>
         <source>Simulates consecutive blows. The residual waves and the motion of the machine on its damper carry
 over from one blow to the next; each blow meets new rock. Prints penetration and penetration rate
-with their errors, the share of blows that start with the bit on the rock, whether the motion
-repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust, the feed
-force. Penetrations are upper limits, because all rock under the bit is assumed to break.
+with their errors, and the share of blows that start with the bit on the rock. Also prints whether
+the motion repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust,
+the feed force. Penetrations are upper limits, because all rock under the bit is assumed to break.
 --scan compares values of a parameter. Each value is simulated twice: starting at rest and
 starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into
 DIR, with --histories also histories.csv, with --plots also drilling.png.</source>
         <translation>Simulerar på varandra följande slag. Restvågorna och maskinens rörelse på sin dämpare förs vidare
 från ett slag till nästa; varje slag möter nytt berg. Skriver inträngning och borrsjunkning med
-sina fel, andelen slag som börjar med borrkronan mot berget, om rörelsen upprepar sig och vart
-energin tar vägen. FILE behöver drill.blow_frequency och drill.thrust, matningskraften.
-Inträngningar är övre gränser, eftersom allt berg under kronan antas brytas.
+sina fel, och andelen slag som börjar med borrkronan mot berget. Skriver även om rörelsen upprepar
+sig och vart energin tar vägen. FILE behöver drill.blow_frequency och drill.thrust,
+matningskraften. Inträngningar är övre gränser, eftersom allt berg under kronan antas brytas.
 --scan jämför värden på en parameter. Varje värde simuleras två gånger: med start från vila och
 med studsande maskin. -o DIR skriver scenario.yaml, summary.json och blows.csv till DIR, med
 --histories även histories.csv, med --plots även drilling.png.</translation>
@@ -16857,42 +16854,42 @@ med studsande maskin. -o DIR skriver scenario.yaml, summary.json och blows.csv t
         <translation>variera denna parameter; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C; jämför förval: rock=all, eller rock=, hammer=, rod= eller bit= med deras namn</translation>
     </message>
     <message>
-        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases:
-this blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the gap on elastic rock
-(gamma = 1) that requires most. In the columns of the table (theory §10), f is the blow frequency,
-I0 the impulse of a blow and e the coefficient of restitution:
+        <source>Estimates from single blows whether the installed feed force is sufficient. Prints four cases: this
+blow, 95 % of all gaps between bit and rock, rigid rock (e = 1), and the worst gap. The worst gap
+requires the highest feed force on elastic rock (gamma = 1). In the columns of the table (theory
+§10), f is the blow frequency, I0 the impulse of a blow and e the coefficient of restitution:
   required        f I0 (1 + e), the feed force that balances the blows
   return in time  f I0 (1 + 2e), the feed force that brings an undamped rigid rod back to the rock
                   before the next blow
   margin          effective over required feed force, less 1
-  enough up to    highest blow frequency at which the effective feed force is not below the
-                  required one
+  enough up to    highest blow frequency at which the effective feed force still
+                  reaches the required one
 If the feed force is below f I0, the blows push the machine back. The effective feed force is the
 installed one; if drill.inclination is given, the weight of rod and drill.machine_mass along the
 hole is added. For consecutive blows, use `drillwave drill`; its --scan
-drill.thrust=START:STOP:COUNT shows what more feed force brings. FILE must have physical units
+drill.thrust=START:STOP:COUNT shows the effect of more feed force. FILE must have physical units
 and drill.blow_frequency; margins need drill.thrust, the installed feed force. For drill strings,
 I0 is the impulse that the hammer transfers, and only this blow and rigid rock are printed.</source>
         <translation>Uppskattar från enstaka slag om den angivna matningskraften räcker. Skriver ut fyra fall: detta
-slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den spalt på
-elastiskt berg (gamma = 1) som kräver mest. I tabellens kolumner (theory §10) är f slagfrekvensen,
-I0 ett slags impuls och e studstalet:
+slag, 95&#xa0;% av alla spalter mellan borrkrona och berg, stelt berg (e = 1) och den värsta spalten.
+Den kräver den högsta matningskraften på elastiskt berg (gamma = 1). I tabellens kolumner (theory
+§10) är f slagfrekvensen, I0 ett slags impuls och e studstalet:
   krävs           f I0 (1 + e), den matningskraft som balanserar slagen
   retur i tid     f I0 (1 + 2e), den matningskraft som för en odämpad stel stång tillbaka till
                   berget före nästa slag
   marginal        effektiv genom krävd matningskraft, minus 1
-  räcker till     högsta slagfrekvens vid vilken den effektiva matningskraften inte är lägre än
-                  den krävda
+  räcker till     högsta slagfrekvens vid vilken den effektiva matningskraften
+                  ännu når den krävda
 Om matningskraften är lägre än f I0 trycker slagen tillbaka maskinen. Den effektiva
 matningskraften är den angivna; om drill.inclination anges tillkommer tyngden av stång och
-drill.machine_mass längs hålet. För slag i följd, använd `drillwave drill`. FILE måste ha
-fysikaliska enheter och drill.blow_frequency; marginaler kräver drill.thrust, den angivna
-matningskraften. För borrsträngar är I0 den impuls som hammaren överför, och bara detta slag och
-stelt berg skrivs ut.</translation>
+drill.machine_mass längs hålet. För slag i följd, använd `drillwave drill`; dess --scan
+drill.thrust=START:STOP:COUNT visar verkan av mer matningskraft. FILE måste ha fysikaliska enheter
+och drill.blow_frequency; marginaler kräver drill.thrust, den angivna matningskraften. För
+borrsträngar är I0 den impuls som hammaren överför, och bara detta slag och stelt berg skrivs ut.</translation>
     </message>
     <message>
-        <source>compare designs at their own blow energy, also if FILE sets keep_energy</source>
-        <translation>jämför konstruktioner vid deras egen slagenergi, även om FILE anger keep_energy</translation>
+        <source>compare each design at its own blow energy, even if FILE sets keep_energy (the same energy for all designs)</source>
+        <translation>jämför varje konstruktion vid dess egen slagenergi, även om FILE anger keep_energy (samma energi för alla konstruktioner)</translation>
     </message>
     <message>
         <source>effective feed force divided by the mean force of the blows (phi); below 1 the blows push the machine back</source>

@@ -274,7 +274,8 @@ QString ResultPanel::followedText(const DrillingResult* result) const {
         return tr("Estimate from single blows.") + QLatin1Char(' ') +
                link(sequenceLink, tr("Solve consecutive blows (about %1 s)")
                                       .arg(numberText(std::ceil(*seconds), 3, QLocale())));
-    return tr("This is an estimate from single blows; %1 solves consecutive blows.").arg(page);
+    return tr("The required feed force is estimated from single blows; %1 solves consecutive blows.")
+        .arg(page);
 }
 
 void ResultPanel::goToAlerts() {

@@ -68,8 +68,8 @@ struct PreparedRecord {
     double timeOf(std::size_t sample) const {
         return (static_cast<double>(sample) - static_cast<double>(front)) * step;
     }
-    /// Returns the round-trip time of a wave between gauge and rock [s]. It is `roundTrip` (D0) plus twice
-    /// the transit time of the sections towards the bit.
+    /// Returns the round-trip time of a wave between gauge and rock [s]. It is `roundTrip` plus twice the
+    /// transit time of the sections towards the bit.
     double roundTripToRock() const { return roundTrip + 2 * places.front().end.transitTime(); }
 };
 

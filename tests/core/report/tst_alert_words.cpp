@@ -30,9 +30,9 @@ const std::vector<Example>& examples() {
         {{warning, AlertCode::implausibleValue, "rod.youngs_modulus", {{"value", 210, Quantity::stress}}},
          "The input Young's modulus E = 0.00021 MPa is outside its typical range, 60 GPa to 250 GPa."},
         {{warning, AlertCode::longPulse, "tau", {{"late_impulse", 0.1239}}},
-         "The first reflection returns to the hammer before the last 12.3 % of the blow. A real hammer would "
-         "feel it, but here the hammer force is prescribed. To include it, use a drill string with a "
-         "hammer."},
+         "When the first reflection returns to the hammer, 12.3 % of the impulse of the blow is still to "
+         "come. A real hammer would feel the reflection, but here the hammer force is prescribed. To include "
+         "this effect, use a drill string with a hammer."},
         {{note, AlertCode::defaultHammer, "pulse.impedance_ratio", {}},
          "No hammer data are given. The hammer is assumed to have the impedance of the rod and to give a "
          "rectangular blow. Enter the data of the piston."},
@@ -45,15 +45,14 @@ const std::vector<Example>& examples() {
          "The hammer is the default one (hammer length 500 mm, hammer diameter 38 mm, hammer velocity 10 "
          "m/s, the material of the rod). Give the data of the rock drill's piston."},
         {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 0.5}}},
-         "The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and "
-         "the rod receives more than its momentum."},
+         "The impedance of the hammer is below that of the rod. The hammer therefore bounces back after one "
+         "force step, and the rod receives more than the momentum of the hammer."},
         {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 2}}},
          "The impedance of the hammer is above that of the rod: the force falls in ever smaller steps. "
          "Reflections that return to the hammer are neglected here."},
         {{note, AlertCode::gapWithoutEffect, "delta", {}},
-         "The rod moves as a rigid body until it meets the rock, so the gap between bit and rock only shifts "
-         "the time of contact "
-         "and has no other effect."},
+         "The rod moves as a rigid body until it meets the rock. The gap between bit and rock therefore only "
+         "shifts the time of contact and has no other effect."},
         {{warning,
           AlertCode::thrustBelowNeeded,
           "drill.thrust",
@@ -73,21 +72,22 @@ const std::vector<Example>& examples() {
           AlertCode::closedFormInvalid,
           "tau",
           {{"tau", 0.4}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not apply, because the blow is longer than a round trip in "
-         "the rod (tau = 0.4 < 0.5). Its coefficient of restitution, e = 0.5, has an error of 0.125."},
+         "The closed-form solution for elastic rock does not apply, because the blow is longer than a round "
+         "trip in the rod (tau = 0.4 < 0.5). Its coefficient of restitution, e = 0.5, has an error of "
+         "0.125."},
         {{note,
           AlertCode::closedFormInvalid,
           "delta",
           {{"delta", 0.3}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not apply, because the bit meets the rock in the middle of a "
-         "wave (delta = 0.3 is not a whole number). Its coefficient of restitution, e = 0.5, has an error of "
-         "0.125."},
+         "The closed-form solution for elastic rock does not apply, because the bit meets the rock in the "
+         "middle of a wave (delta = 0.3 is not a whole number). Its coefficient of restitution, e = 0.5, has "
+         "an error of 0.125."},
         {{note,
           AlertCode::closedFormInvalid,
           "bit_rock.law",
           {{"bit_rock.law", 2}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not apply, because the loading curve of the rock is not a "
-         "straight line. Its coefficient of restitution, e = 0.5, has an error of 0.125."},
+         "The closed-form solution for elastic rock does not apply, because the loading curve of the rock is "
+         "not a straight line. Its coefficient of restitution, e = 0.5, has an error of 0.125."},
         {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 1e6, Quantity::force}}},
          "The input force of corner 2 = 1000 kN is outside its typical range, 5 kN to 500 kN."},
         {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 9, Quantity::ratio}}},
@@ -96,18 +96,18 @@ const std::vector<Example>& examples() {
           AlertCode::cornersWithoutEffect,
           "bit_rock.law",
           {{"peak_force", 80e3, Quantity::force}, {"corner_force", 90e3, Quantity::force}}},
-         "The force on the rock reaches only 80 kN, below the first corner of the loading curve at 90 kN: "
-         "the rock acts as if it loaded along one straight line."},
+         "The force on the rock reaches only 80 kN, below the first corner of the loading curve at 90 kN. "
+         "The rock therefore acts as if its loading curve were one straight line."},
         {{note,
           AlertCode::closedFormInvalid,
           "beta",
           {{"beta", 0.02}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
-         "The closed form for elastic rock does not apply, because the bit is still on the rock when the "
-         "next reflection arrives. Its coefficient of restitution, e = 0.5, has an error of 0.125."},
+         "The closed-form solution for elastic rock does not apply, because the bit is still on the rock "
+         "when the next reflection arrives. Its coefficient of restitution, e = 0.5, has an error of 0.125."},
         {{warning, AlertCode::inputDecides, "", {{"contacts", 40}, {"cor_error", 2e-4}}},
-         "The bit chatters on the rock (40 contacts), so the coefficient of restitution e depends on the "
-         "last digits of the input and can be known only to within 0.00021. A longer rod, a shorter blow or "
-         "a softer rock reduces the chatter."},
+         "The bit chatters on the rock (40 contacts). Tiny changes of the input then change the coefficient "
+         "of restitution e, which can be known only to within 0.00021. A longer rod, a shorter blow or a "
+         "softer rock reduces the chatter."},
         {{warning, AlertCode::reducedAccuracy, "", {{"cor_error", 2e-8}}},
          "The numerical error of the coefficient of restitution e may be as large as 2.1e-08."},
         {{warning,
@@ -126,22 +126,22 @@ const std::vector<Example>& examples() {
            {"place", 0.915, Quantity::length},
            {"time", 4e-3, Quantity::time},
            {"strength", 150e6, Quantity::stress}}},
-         "Every blow loads the rod above its fatigue strength of 150 MPa: after the blow the residual waves, "
-         "undamped here, give a stress of 160 MPa in tension, at 915 mm from the hammer and 4 ms after the "
+         "Every blow loads the rod above its fatigue strength of 150 MPa, by residual waves that are not "
+         "damped here. The stress reaches 160 MPa in tension, at 915 mm from the hammer and 4 ms after the "
          "start of the blow."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
-         "The waves of a blow make only 4.5 round trips in the string before the next blow and still act on "
-         "it (undamped). Penetration may change by up to 10 % with blow frequency and string length; to "
-         "compute it, use `drill`."},
+         "The waves of a blow make only 4.5 round trips in the string before the next blow, and they still "
+         "act on that blow (undamped). This may change the penetration by up to 10 %, depending on blow "
+         "frequency and string length; to compute it, use `drill`."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 2}, {"wave_loss", 0.1}}},
-         "The waves of a blow make only 2 round trips in the string before the next blow and still act on it "
-         "(with 81 % left at a wave loss of 10 %). Penetration may change by up to 10 % with blow frequency "
-         "and string length; to compute it, use `drill`."},
+         "The waves of a blow make only 2 round trips in the string before the next blow, and they still act "
+         "on that blow (81 % of the wave is left, with a loss of 10 % per round trip). This may change the "
+         "penetration by up to 10 %, depending on blow frequency and string length; to compute it, use "
+         "`drill`."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
-         "The waves of a blow make only 4.06 round trips in the string before the next blow and still act on "
-         "it (undamped). Because 4.06 is close to the whole number 4, they arrive together with the next "
-         "blow. "
-         "Penetration may change by up to 10 %; to compute it, use `drill`."},
+         "The waves of a blow make only 4.06 round trips in the string before the next blow, and they still "
+         "act on that blow (undamped). Because 4.06 is close to the whole number 4, they arrive at the same "
+         "time as the next blow. This may change the penetration by up to 10 %; to compute it, use `drill`."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",
@@ -154,8 +154,8 @@ const std::vector<Example>& examples() {
          "3rd rod would yield: the stress in this section reaches 362.2 MPa in tension, at 1.5 m from its "
          "rear end and 4 ms after the start of the blow. Its yield strength is 300 MPa."},
         {{AlertLevel::information, AlertCode::wavesThinned, "", {{"difference", 2.5e-3}}},
-         "This blow has too many waves to keep. Plots of waves and forces show a coarser model of the "
-         "string, whose COR and efficiency differ by at most 0.0026."},
+         "This blow has too many waves to store them all. Plots of waves and forces therefore show a coarser "
+         "model of the string. Its coefficient of restitution and efficiency differ by at most 0.0026."},
         {{warning,
           AlertCode::lengthsRounded,
           "",
@@ -175,8 +175,8 @@ const std::vector<Example>& examples() {
            {"shared_cell", 4e-7, Quantity::time}}},
          "The transit times of the sections only share a time step of 0.4 us, which takes more work than is "
          "permitted: they were rounded by up to 0.2 us, and the efficiency may have an error of 0.0011. "
-         "Round the lengths to multiples of a common length, such as 50 mm: longer time steps are then "
-         "exact."},
+         "Round the section lengths to multiples of a common length, such as 50 mm. A longer time step then "
+         "fits all sections exactly."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}, {"forced", 1}}},
          "This blow is not over after 16.7 ms, when the next blow starts: the bit may hit the rock again. "
          "The values are for that moment and not final."},
@@ -187,8 +187,8 @@ const std::vector<Example>& examples() {
           AlertCode::pushedBack,
           "",
           {{"force", 3000, Quantity::force}, {"needed", 3060, Quantity::force}}},
-         "The feed force of 3 kN is below the mean force of the blows, 3.06 kN, or too close to it, so the "
-         "gap between bit and rock grows from blow to blow. Increase the feed force."},
+         "The feed force of 3 kN is below the mean force of the blows, 3.06 kN, or too close to it. The gap "
+         "between bit and rock therefore grows from blow to blow. Increase the feed force."},
         {{note, AlertCode::noWaveLoss, "", {}},
          "Nothing damps the waves, so their fronts never decay. Give a wave loss; 1 to 30 % per round trip "
          "is usual."},
@@ -197,32 +197,31 @@ const std::vector<Example>& examples() {
          "12.3 % of its momentum to the string. If the machine has drawn the piston back by then, switch off "
          "“may strike again” (restrike: false in the file)."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
-         "At impact, the shank is up to 6 mm from its mean position in the machine, so stroke and blow "
-         "energy "
-         "of a real machine would differ. If the damper has no spring, add one: a dashpot alone lets the "
-         "shank drift."},
+         "At impact, the shank is up to 6 mm from its mean position in the machine. Stroke and blow energy "
+         "of a real machine would therefore differ. If the damper has no spring, add one: a dashpot alone "
+         "lets the shank drift."},
         {{note,
           AlertCode::frequencyRounded,
           "",
           {{"frequency", 60, Quantity::frequency}, {"used", 60.01, Quantity::frequency}}},
          "The blow frequency is rounded to 60.01 Hz, so that each blow falls on a time step."},
         {{warning, AlertCode::notSettled, "", {}},
-         "The means of the first and second half of the blows differ by more than three times their error. "
-         "Increase the number of blows, or of transient blows."},
+         "The motion may not be steady yet: means of the first and second half of the blows differ by more "
+         "than three times their error. Increase the number of blows, or of transient blows."},
         {{warning, AlertCode::coexistingMotions, "", {}},
          "Two steady motions are possible. The start or the time step decides which one is computed; a real "
          "drill may settle into either."},
         {{note, AlertCode::irregularMotion, "", {}},
          "The motion does not repeat from blow to blow: use the means, not the values of single blows."},
         {{warning, AlertCode::energyUnbalanced, "", {{"share", 0.0021}}},
-         "The energy balance of all blows has an error of 0.21 %, because the time step is too long for "
-         "such short contacts. A shorter time step reduces the error in proportion."},
+         "The energy balance of all blows has an error of 0.21 %. The time step is too long for the short "
+         "contacts between bit and rock. A shorter time step reduces the error in proportion."},
         {{note, AlertCode::damperAssumed, "", {}},
          "The data of the damper are assumed, because makers do not publish them. Try dashpots from 0.05 to "
          "0.5 times the impedance of the rod."},
         {{warning, AlertCode::stressesLeftOut, "", {}},
-         "The largest stresses of the sections would take more work than is permitted, so they were not "
-         "computed and no strength was checked. Try a shorter end_time."},
+         "The largest stresses of the sections were not computed, because this would exceed the limit of "
+         "computing work. No strength was checked. Try a shorter end time (end_time)."},
     };
     return all;
 }

@@ -133,8 +133,8 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "Raise the feed force by 1.26 kN to have enough for every gap between bit and rock.");
     row("required met", "t38_medium_rock", 8e3,
         "A feed force of 8 kN is enough for a single blow at any gap (7.253 kN required).",
-        "The installed feed force is enough for single blows. From 11.5 kN on, even an undamped rod would "
-        "return to the rock before each next blow.");
+        "A feed force of at least 11.5 kN would even return an undamped rod to the rock before each next "
+        "blow.");
     row("return met", "t38_medium_rock", 12e3,
         "A feed force of 12 kN is enough for a single blow at any gap. It even returns an undamped rod to "
         "the "
@@ -142,19 +142,18 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "The installed feed force is enough for single blows.");
     row("a string, at this gap", "t38_string", 8e3,
         "A feed force of 8 kN is enough for this blow (4.509 kN required), but not for rigid rock (9.017 kN "
-        "required); "
-        "other gaps between bit and rock were not examined.",
+        "required). Other gaps between bit and rock were not examined.",
         "Raise the feed force by 1.02 kN to have enough for rigid rock.");
     row("a string, required met", "t38_string", 10e3,
         "A feed force of 10 kN is enough for this blow and for rigid rock (9.017 kN required); other gaps "
         "between bit "
         "and rock were not examined.",
-        "The installed feed force is enough for single blows. From 13.6 kN on, even an undamped rod would "
-        "return to the rock before each next blow.");
+        "A feed force of at least 13.6 kN would even return an undamped rod to the rock before each next "
+        "blow.");
     row("a string, return met", "t38_string", 14e3,
-        "A feed force of 14 kN is enough for this blow and for rigid rock, and even returns an undamped rod "
-        "to the rock "
-        "in time, which requires 13.53 kN; other gaps between bit and rock were not examined.",
+        "A feed force of 14 kN is enough for this blow and for rigid rock. It even returns an undamped rod "
+        "to the rock before the next blow (this requires 13.53 kN). Other gaps between bit and rock were not "
+        "examined.",
         "The installed feed force is enough for single blows.");
     row("waves on their way", "t38_string", 14e3,
         "The single-blow estimate does not apply: the waves of a blow are still in the string at the next "
@@ -174,8 +173,9 @@ void TestFeedWords::eachStateHasItsSentence() {
     QStringList sentences = sentencesOf(reportOf(scenario));
     QCOMPARE(sentences.takeFirst(), text);
     if (!more.isEmpty()) QCOMPARE(sentences.takeFirst(), more);
-    QCOMPARE(sentences.front(),
-             QString("This is an estimate from single blows; `drill` solves consecutive blows."));
+    QCOMPARE(
+        sentences.front(),
+        QString("The required feed force is estimated from single blows; `drill` solves consecutive blows."));
 }
 
 void TestFeedWords::whatIsMissingIsSaid_data() {
@@ -183,12 +183,12 @@ void TestFeedWords::whatIsMissingIsSaid_data() {
     QTest::addColumn<bool>("frequency");
     QTest::addColumn<bool>("thrust");
     QTest::addColumn<QString>("text");
-    QTest::newRow("units")
-        << QByteArray("paper_fig4a") << false << false
-        << "The feed cannot be judged: the scenario has dimensionless groups, not physical units.";
-    QTest::newRow("units of the reference case")
-        << QByteArray("reference_case") << false << false
-        << "The feed cannot be judged: the scenario has dimensionless groups, not physical units.";
+    QTest::newRow("units") << QByteArray("paper_fig4a") << false << false
+                           << "The feed cannot be judged: the scenario has only dimensionless groups. Enter "
+                              "it in physical units.";
+    QTest::newRow("units of the reference case") << QByteArray("reference_case") << false << false
+                                                 << "The feed cannot be judged: the scenario has only "
+                                                    "dimensionless groups. Enter it in physical units.";
     QTest::newRow("frequency") << QByteArray("t38_medium_rock") << false << true
                                << "The feed cannot be judged: give a blow frequency.";
     QTest::newRow("both") << QByteArray("t38_medium_rock") << false << false

@@ -50,14 +50,12 @@ class TestStrengthWords : public QObject {
         const std::vector<SectionStress> stresses{stressed(600e6, 500e6), stressed(300e6, 100e6),
                                                   stressed(300e6, 300e6), stressed(855e6, 200e6)};
         QCOMPARE(strengthSentence(scenario, stresses, plainStyle()).text(),
-                 std::string(
-                     "The most heavily loaded section (3rd rod) has a compression of 855 MPa, which is 95 % "
-                     "of its yield strength of 900 MPa."));
+                 std::string("During the blow, the most heavily loaded section (3rd rod) has a compression "
+                             "of 855 MPa, which is 95 % of its yield strength of 900 MPa."));
         parts[2].sections.front().yieldStrength.reset();
         QCOMPARE(strengthSentence(scenario, stresses, plainStyle()).text(),
-                 std::string(
-                     "The most heavily loaded section (2nd rod) has a tension of 300 MPa, which is 75 % of "
-                     "its fatigue strength of 400 MPa."));
+                 std::string("During the blow, the most heavily loaded section (2nd rod) has a tension of "
+                             "300 MPa, which is 75 % of its fatigue strength of 400 MPa."));
         parts[0].sections.front().fatigueStrength.reset();
         QVERIFY(strengthSentence(scenario, stresses, plainStyle())
                     .text()

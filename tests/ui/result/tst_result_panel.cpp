@@ -256,7 +256,7 @@ class TestResultPanel : public QObject {
         const auto first = [&] { return panel.text().section('\n', 0, 0); };
         panel.present(solved(drillOf(9.5e3), UnitSystem::si));
         QVERIFY2(first().startsWith(
-                     "A feed force of 9.5 kN is enough for this blow and for rigid rock, and even returns") &&
+                     "A feed force of 9.5 kN is enough for this blow and for rigid rock. It even returns") &&
                      first().endsWith(" …"),
                  qPrintable(first()));
         QTRY_VERIFY2_WITH_TIMEOUT(

@@ -160,7 +160,7 @@ class TestResultWiring : public QObject {
         QCOMPARE(observation.time(), std::optional(peak.peak.time / blow.scales.time));
         const StringPlace place = stringPlace(blow.scenario.drillString, observation.section());
         QCOMPARE(place.section, peak.section);
-        QVERIFY(links.at(1)->text().contains(QStringLiteral("from the shank")));
+        QVERIFY(links.at(1)->text().contains(QStringLiteral("from the struck end")));
         // The next blow is one whose hammer is loaded most.
         window.document().assign(*findParameter("hammer.2.diameter"), 0.03, window.document().newGesture());
         QTRY_COMPARE(window.shown()->scenario.drillString.hammer.sections[1].diameter, 0.03);

@@ -40,7 +40,7 @@ QString answerOf(const SolvedBlow& blow, const BlowCurves& curves) {
         const auto [least, largest] =
             std::ranges::minmax_element(*curves.sectionForce, {}, &QCPGraphData::value);
         text += QLatin1Char(' ') +
-                BlowPage::tr("At %1, the force is between %2 (compression) and %3 (tension).")
+                BlowPage::tr("At %1, the force in this plot is between %2 (compression) and %3 (tension).")
                     .arg(placeText(blow, curves.section), shown(least->value, blow.units.force),
                          shown(largest->value, blow.units.force));
     }
@@ -173,7 +173,8 @@ void BlowPage::showInstant() {
     const bool isKnown = time && m_blow && m_blow->fault.isEmpty();
     m_plot->reader().place(PlotCursor::time,
                            isKnown ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
-    if (!isKnown) return m_instant->setText(tr("To mark a time, click an event or press T over the plots."));
+    if (!isKnown)
+        return m_instant->setText(tr("To mark a time, press T over the plots or click an event in Result."));
     if (!m_blow->impact.hasHistories()) return m_instant->setText(QString());
     const RodState instant = BlowWaves(*m_blow).state(m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;

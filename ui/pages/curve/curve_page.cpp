@@ -70,7 +70,7 @@ CurvePage::CurvePage(Document& document, QWidget* parent)
 
 QList<QWidget*> CurvePage::makeControls() {
     m_axis = new AxisFields(tr("vary"), {"bit_rock.stiffness", "beta"}, document().units(), this);
-    m_family = new FamilyFields(tr("family"), preferredFamilies(), document().units(), this);
+    m_family = new FamilyFields(tr("curves for"), preferredFamilies(), document().units(), this);
     m_own = new QCheckBox(tr("this scenario"), this);
     m_own->setObjectName(QStringLiteral("own"));
     m_own->setToolTip(tr("Also a curve for the scenario's own value of the family"));

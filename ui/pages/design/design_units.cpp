@@ -53,7 +53,7 @@ QString DesignUnits::designName(std::uint64_t design) const {
 }
 
 QString aimName(const DesignAim& aim) {
-    return translated({"%1 %2", {outputMessage(*aim.output), statisticMessage(aim.statistic, aim.sense)}});
+    return translated({"%1 (%2)", {outputMessage(*aim.output), statisticMessage(aim.statistic, aim.sense)}});
 }
 
 QString aimWords(const DesignAim& aim) {

@@ -96,7 +96,8 @@ void RockPage::showTime() {
     const auto* curve = m_blow ? m_blow->page<RockCurve>() : nullptr;
     if (!curve || !m_observation.time()) {
         m_rock->setPoint({});
-        m_instant->setText(tr("To mark a time, click an event or place the time cursor on the page Blow."));
+        m_instant->setText(
+            tr("To mark a time, click an event in Result or place the time cursor on the page Blow."));
         return;
     }
     const QPointF point = rockPoint(*curve, *m_observation.time() * curve->units.time.factor);

@@ -156,7 +156,7 @@ void RodPage::showReadout() {
                                       .arg(place, words(Load::compression), words(Load::tension), in.words) +
                                   strengthText(shown->string->sectionAt(m_observation.section())));
     }
-    m_readout->setText(tr("At %1, during the blow: %2 and %3\nin the residual waves: %4 and %5")
+    m_readout->setText(tr("At %1, during the blow: %2 and %3\nafterwards, in the residual waves: %4 and %5")
                            .arg(place, words(Load::compression), words(Load::tension),
                                 words(Load::compressionAfter), words(Load::tensionAfter)));
 }

@@ -139,7 +139,7 @@ void RodPlot::present(const RodCurves& curves) {
 void RodPlot::nameAxes() {
     const ShownUnits& units = m_curves.units;
     const bool hasSections = m_curves.string.has_value();
-    x()->setLabel(units.length.axisLabel(hasSections ? tr("position x from the shank, hammer below 0")
+    x()->setLabel(units.length.axisLabel(hasSections ? tr("position x from the struck end, hammer at x < 0")
                                                      : tr("position x from the struck end")));
     const QString stress = !units.stress.dimensionless ? tr("stress (tension positive)")
                            : hasSections               ? tr("stress, as force in the rod (tension positive)")

@@ -56,7 +56,7 @@ std::vector<StringSketch::Piece> StringSketch::piecesOf(const SketchedString& sh
 
 void StringSketch::present(const SketchedString& shown) {
     m_plot->clearItems();
-    m_plot->xAxis->setLabel(shown.length.axisLabel(tr("position x from the shank, hammer below 0")));
+    m_plot->xAxis->setLabel(shown.length.axisLabel(tr("position x from the struck end, hammer at x < 0")));
     m_plot->yAxis->setLabel(shown.across.axisLabel(tr("diameter")));
     const std::vector<Piece> pieces = piecesOf(shown);
     const double largest = std::ranges::max(pieces, {}, &Piece::diameter).diameter;

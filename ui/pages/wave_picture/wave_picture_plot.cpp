@@ -134,7 +134,7 @@ void WavePicturePlot::name() {
     const WavePicture& picture = *this->picture();
     const ShownUnit& unit = picture.units.of(picture.raster.quantity);
     x()->setLabel(picture.units.position.axisLabel(picture.string
-                                                       ? tr("position x from the shank, hammer below 0")
+                                                       ? tr("position x from the struck end, hammer at x < 0")
                                                        : tr("position x from the struck end")));
     y()->setLabel(picture.units.time.axisLabel(tr("time t")));
     m_bar->setDataRange({-picture.limit * unit.factor, picture.limit * unit.factor});

@@ -274,7 +274,7 @@ void TestStringPicture::theDataReachFromTheHammerToTheBit() {
     const SolvedBlowPtr blow = solved("r32_string");
     present(blow);
     const QList<QByteArray> rows = m_page->plot()->csv().trimmed().split('\n');
-    QCOMPARE(rows.first(), QByteArray("\"position x from the shank, hammer below 0 [m]\",time t [ms],"
+    QCOMPARE(rows.first(), QByteArray("\"position x from the struck end, hammer at x < 0 [m]\",time t [ms],"
                                       "force N (tension positive) [kN]"));
     QCOMPARE(rows.size(), 1 + 101 * 201);
     QVERIFY(std::abs(rows.at(1).split(',').first().toDouble() + 0.45) < 1e-12);
