@@ -8309,11 +8309,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>best for uncertain rock</source>
-        <translation>beste Auslegung für ungenau bekanntes Gestein</translation>
+        <translation>beste, Gestein ungenau bekannt</translation>
     </message>
     <message>
         <source>best for the values entered</source>
-        <translation>beste Auslegung für die eingegebenen Werte</translation>
+        <translation>beste für die eingegebenen Werte</translation>
     </message>
     <message>
         <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
@@ -11325,7 +11325,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 % of the wave is left, with a loss of %2 % per round trip</source>
-        <translation>%1 % der Welle sind noch da, bei %2 % Verlust je Umlauf</translation>
+        <translation>%1&#xa0;% der Welle sind noch da, bei %2&#xa0;% Verlust je Umlauf</translation>
     </message>
     <message>
         <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are for that moment and not final.</source>

@@ -8309,11 +8309,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>best for uncertain rock</source>
-        <translation>bästa konstruktionen för ofullständigt känt berg</translation>
+        <translation>bäst, berget ofullständigt känt</translation>
     </message>
     <message>
         <source>best for the values entered</source>
-        <translation>bästa konstruktionen för de angivna värdena</translation>
+        <translation>bäst för de angivna värdena</translation>
     </message>
     <message>
         <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
@@ -11325,7 +11325,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 % of the wave is left, with a loss of %2 % per round trip</source>
-        <translation>%1 % av vågen är kvar, med %2 % förlust per varv</translation>
+        <translation>%1&#xa0;% av vågen är kvar, med %2&#xa0;% förlust per varv</translation>
     </message>
     <message>
         <source>This blow is not over after %1, when the next blow starts: the bit may hit the rock again. The values are for that moment and not final.</source>
