@@ -8313,7 +8313,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>best for the values entered</source>
-        <translation>beste für die eingegebenen Werte</translation>
+        <translation>beste für eingegebene Werte</translation>
     </message>
     <message>
         <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
