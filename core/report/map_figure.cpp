@@ -17,8 +17,8 @@ namespace drillwave {
 namespace {
 
 constexpr int shownDigits = 5, levelDigits = 4;
-constexpr double sectionShare = 0.28;        // width of a section, relative to the map
-constexpr double sectionHeightShare = 0.42;  // its axis title must fit
+constexpr double sectionShare = 0.28;       // width of a section, relative to the map
+constexpr double sectionHeightShare = 0.5;  // so that its axis title fits
 
 /// Level of an output on whose two sides the colours differ.
 std::optional<double> decisiveLevel(const Output& output) {

@@ -59,6 +59,7 @@ void PlotWidget::restyle() {
 }
 
 void PlotWidget::applyStyle(const PlotStyle& style) {
+    restoreLabels();
     if (m_restyle) m_restyle(style);
     m_reader.setStyle(style);
     m_hover.setStyle(style);
@@ -113,17 +114,33 @@ QList<QCPAxis*> PlotWidget::labelledAxes() const {
     return axes;
 }
 
-// The axes have shortened labels, or two lines, only while they are drawn: others read the whole ones.
-// Returns true if an axis needs other room for its label, which the next layout gives.
+namespace {
+
+QFont scaled(QFont font, double scale) {
+    font.setPixelSize(qRound(scale * QFontInfo(font).pixelSize()));
+    return font;
+}
+
+}  // namespace
+
+// The axes have smaller letters, two lines or shortened labels only while they are drawn: others read the
+// whole ones. Returns true if an axis needs other room for its label, which the next layout gives.
 bool PlotWidget::fitLabels() {
+    constexpr QLatin1Char lineEnd('\n');
     restoreLabels();  // a picture without replot() leaves them
     bool isOther = false;
     for (QCPAxis* axis : labelledAxes()) {
-        const QString label = axis->label(), fitting = axis->visible() ? labelThatFits(*axis) : label;
-        const QLatin1Char lineEnd('\n');
+        const QString label = axis->label();
+        const QFont font = axis->labelFont();
+        QString fitting = axis->visible() ? labelThatFits(*axis) : label;
+        for (const double scale : {0.9, 0.8, 1.0}) {  // smaller letters if they avoid an ellipsis
+            if (fitting.size() == label.size()) break;
+            axis->setLabelFont(scaled(font, scale));
+            fitting = labelThatFits(*axis);
+        }
         isOther |= reserveSecondLine(*axis, fitting.count(lineEnd) > label.count(lineEnd));
-        if (fitting == label) continue;
-        m_fittedLabels.insert(axis, {label, fitting});
+        if (fitting == label && axis->labelFont() == font) continue;
+        m_fittedLabels.insert(axis, {label, fitting, font});
         axis->setLabel(fitting);
         axis->setLabelPadding(axis->labelPadding() - secondLine(*axis));
     }
@@ -133,6 +150,7 @@ bool PlotWidget::fitLabels() {
 void PlotWidget::restoreLabels() {
     for (const auto& [axis, label] : m_fittedLabels.asKeyValueRange()) {
         if (axis->label() == label.fitting) axis->setLabel(label.whole);
+        axis->setLabelFont(label.font);
         axis->setLabelPadding(axis->labelPadding() + secondLine(*axis));
     }
     m_fittedLabels.clear();

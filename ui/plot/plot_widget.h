@@ -173,8 +173,10 @@ class PlotWidget : public QCustomPlot {
     CurveMeanings m_meanings;
     struct FittedLabel {
         QString whole, fitting;
+        QFont font;  // of the whole label
     };
-    QHash<QCPAxis*, FittedLabel> m_fittedLabels;  // of axes whose labels are shortened or in two lines
+    QHash<QCPAxis*, FittedLabel>
+        m_fittedLabels;  // of axes whose labels are smaller, in two lines or shortened
     CurveReader m_reader;
     HoverMark m_hover;
     PlotView m_view;
