@@ -145,7 +145,8 @@ const Command& drillCommand() {
             "rock. Also prints whether\nthe motion repeats, and where the energy goes. FILE needs "
             "drill.blow_frequency and drill.thrust,\nthe feed force. Penetrations are upper limits, because "
             "all rock under the bit is assumed to break.\n--scan compares values of a parameter. Each value "
-            "is simulated twice: starting at rest and\nstarting with a bouncing machine. -o DIR writes "
+            "is simulated twice: starting at rest and\nstarting with a bouncing machine. A second row is "
+            "printed only if the two differ. -o DIR writes "
             "scenario.yaml, summary.json and blows.csv into\nDIR, with --histories also histories.csv, with "
             "--plots also drilling.png.",
         .options = scenarioOptions(
@@ -160,7 +161,7 @@ const Command& drillCommand() {
               "time steps per duration t0 of the blow, 10 to 400 (default: 40, with --scan 20)"},
              {"scan", "KEY=VALUES",
               "vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log "
-              "(equal ratios) or A,B,C"},
+              "(equal ratios) or A,B,C, with units"},
              {"gaps", "FILE.csv",
               "with --scan, also write the gap of each blow to this file, except for transient blows"},
              {"histories", "A:B",

@@ -73,7 +73,9 @@ std::vector<OptionSpec> identifyOptionSpecs() {
     using Times = OptionSpec::Times;
     std::vector<OptionSpec> specs{
         {"signals", "REC.csv …",
-         "read these records of strain gauges; give several in their order along the hole", Times::repeated},
+         "read these records of strain gauges; give several records in the order of hole depth, the "
+         "shallowest first",
+         Times::repeated},
         {"gauge", "COLUMN@DISTANCE",
          "column of a gauge and its distance from the bit face; give one or two gauges. A+B@… takes the mean "
          "of two gauges on opposite sides",

@@ -222,7 +222,8 @@ using D = DrillNumbers;
 constexpr std::string_view lyapunovName = "drill_lyapunov", errorName = "drill_penetration_error";
 
 constexpr auto drillTable = std::to_array<Output>({
-    row<&D::gapMean>("drill_gap_mean", "mean gap between bit and rock at the start of the blows (drill)",
+    row<&D::gapMean>("drill_gap_mean",
+                     "mean gap between bit and rock at the start of the blows, from `drill`",
                      Measure::penetration, "mean gap at the blow"),
     row<&D::gapDeviation>("drill_gap_deviation",
                           "standard deviation of the gap between bit and rock at the start of the blows",

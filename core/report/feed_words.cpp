@@ -110,7 +110,7 @@ class EstimateMessage {
                                      "rock before each next blow."),
                         {least(largest.thrustUndamped)}};
             case FeedState::returnMet:
-                return translatable("The installed feed force is enough for single blows.");
+                return translatable("No larger feed force is required.");
             case FeedState::notApplicable:
                 break;
         }

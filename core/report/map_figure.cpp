@@ -247,13 +247,13 @@ std::optional<FigureText> mapAnswer(const MapReport& report) {
         const FigureNumber level = valueOf(output, deciding->level, levelDigits);
         const LevelSide side = sideOf(report.grid, deciding->level);
         if (side == LevelSide::above)
-            return text(translatable("%1 exceeds %2 only where %3 is above %5. The point with the lowest "
-                                     "such %3 has %4 = %6."),
-                        level, {extent->lowest});
+            return text(
+                translatable("%1 exceeds %2 only where %3 is above %5. At %4 = %6, %3 = %5 is enough."),
+                level, {extent->lowest});
         if (side == LevelSide::below)
-            return text(translatable("%1 exceeds %2 only where %3 is below %5. The point with the highest "
-                                     "such %3 has %4 = %6."),
-                        level, {extent->highest});
+            return text(
+                translatable("%1 exceeds %2 only where %3 is below %5. At %4 = %6, %3 = %5 is low enough."),
+                level, {extent->highest});
     }
     const auto [least, largest] = extremesOf(report.grid);
     FigureText answer = text(translatable("The largest value of %1 is %2, at %3 = %5 and %4 = %6. The "

@@ -119,18 +119,31 @@ Message gainWords(const ScanComparison& comparison, const std::optional<Sequence
                  : Message();
 }
 
-/// The values around the best that the errors do not tell from it; empty where there are none.
+/// Returns a sentence with all values whose rates do not differ from the best one by more than the errors. It
+/// is empty if the best value is the only one.
 Message equalSentence(const DrillingScan& scan, const ScanComparison& comparison, const ReadingStyle& style) {
-    const auto isEqual = [&](std::size_t place) {
-        return !comparison.isLower(comparison.entries[place].sequence);
-    };
-    std::size_t first = comparison.bestPlace, last = first;
-    while (first > 0 && isEqual(first - 1)) --first;
-    while (last + 1 < comparison.entries.size() && isEqual(last + 1)) ++last;
-    if (first == last) return {};
+    const auto& entries = comparison.entries;
+    const auto isEqual = [&](std::size_t place) { return !comparison.isLower(entries[place].sequence); };
     const auto value = [&](std::size_t place) {
-        return valueText(scan.axis, comparison.entries[place].at, valueDigitsOfScan, style);
+        return valueText(scan.axis, entries[place].at, valueDigitsOfScan, style);
     };
+    Message ranges;
+    std::size_t rangeCount = 0, first = 0, last = 0, equalCount = 0;
+    for (std::size_t place = 0; place < entries.size(); ++place) {
+        if (!isEqual(place)) continue;
+        first = place;
+        while (place + 1 < entries.size() && isEqual(place + 1)) ++place;
+        last = place;
+        equalCount += last - first + 1;
+        const Message range = first == last ? Message("%1", {value(first)})
+                                            : Message(translatable("%1 to %2"), {value(first), value(last)});
+        ranges = rangeCount++ == 0 ? range : Message("%1, %2", {ranges, range});
+    }
+    if (equalCount < 2) return {};
+    if (rangeCount > 1)
+        return {translatable(
+                    "These values give the same penetration rate within the errors of the computation: %1."),
+                {ranges}};
     return {
         translatable(
             "All values from %1 to %2 give the same penetration rate within the errors of the computation."),

@@ -28,7 +28,7 @@ struct WorkLimitReason {
         "very often; a larger gamma, fewer blows or a higher frequency take less");
 };
 
-/// Returns whether a message says that a work limit was reached. This is true for the texts of
+/// Returns whether a message says that a limit of computing work was reached. This is true for the texts of
 /// WorkLimitReason, and for messages that contain one, such as "3 rows: REASON".
 inline bool isWorkLimit(const Message& reason) {
     using Reason = WorkLimitReason;

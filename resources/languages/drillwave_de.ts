@@ -2558,8 +2558,8 @@ Trotzdem löschen?</translation>
         <translation>mittlerer Spalt beim Schlag</translation>
     </message>
     <message>
-        <source>mean gap between bit and rock at the start of the blows (drill)</source>
-        <translation>mittlerer Spalt zwischen Bohrkrone und Gestein zu Beginn der Schläge (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows, from `drill`</source>
+        <translation>mittlerer Spalt zwischen Bohrkrone und Gestein zu Beginn der Schläge, aus `drill`</translation>
     </message>
     <message>
         <source>mean impulse on the rock</source>
@@ -3387,8 +3387,8 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Die Seite Identifizieren bestimmt Steifigkeit und Elastizität des Gesteins und den Spalt zwischen Bohrkrone und Gestein aus Messungen mit Dehnungsmessstreifen auf der Stange. Dazu die Aufzeichnung eines Schlags oder mehrerer Schläge entlang eines Bohrlochs öffnen.</translation>
     </message>
     <message>
-        <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
-        <translation>Die größte Druckspannung ist %1 (%2), die größte Zugspannung %3 (%4).</translation>
+        <source>During the blow, the largest compression is %1 (%2), the largest tension %3 (%4).</source>
+        <translation>Während des Schlags ist die größte Druckspannung %1 (%2), die größte Zugspannung %3 (%4).</translation>
     </message>
     <message>
         <source>x/L = %1</source>
@@ -3672,7 +3672,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     </message>
     <message>
         <source>To mark a time, press T over the plots or click an event in Result.</source>
-        <translation>Eine Zeit markieren: T über den Diagrammen drücken oder im Ergebnis auf ein Ereignis klicken.</translation>
+        <translation>Zeit markieren: T über den Diagrammen oder Klick auf ein Ereignis im Ergebnis.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -12140,8 +12140,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Ein Andruck von mindestens %1 würde sogar eine ungedämpfte Stange vor jedem nächsten Schlag zum Gestein zurückbringen.</translation>
     </message>
     <message>
-        <source>The installed feed force is enough for single blows.</source>
-        <translation>Der installierte Andruck reicht für einzelne Schläge.</translation>
+        <source>No larger feed force is required.</source>
+        <translation>Mehr Andruck ist nicht erforderlich.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12686,12 +12686,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 von %2 Punkten nicht gelöst (schraffiert)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is above %5. The point with the lowest such %3 has %4 = %6.</source>
-        <translation>%1 übersteigt %2 nur, wo %3 über %5 liegt. Der Punkt mit dem kleinsten solchen Wert hat %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is above %5. At %4 = %6, %3 = %5 is enough.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 über %5 liegt. Bei %4 = %6 genügt %3 = %5.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is below %5. The point with the highest such %3 has %4 = %6.</source>
-        <translation>%1 übersteigt %2 nur, wo %3 unter %5 liegt. Der Punkt mit dem größten solchen Wert hat %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is below %5. At %4 = %6, %3 = %5 is low enough.</source>
+        <translation>%1 übersteigt %2 nur, wo %3 unter %5 liegt. Bei %4 = %6 ist %3 = %5 klein genug.</translation>
     </message>
     <message>
         <source>present design: %1</source>
@@ -12982,6 +12982,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one that returns the rod in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
         <translation>Andruck über %1, für %2. Jeder Streifen reicht vom erforderlichen Andruck bis zu dem, der die Stange rechtzeitig zurückbringt. Die Töne dahinter zeigen, was ein Andruck beim Rückprall dieses Schlags bewirkt.</translation>
+    </message>
+    <message>
+        <source>These values give the same penetration rate within the errors of the computation: %1.</source>
+        <translation>Diese Werte ergeben im Rahmen der Rechenfehler denselben Bohrfortschritt: %1.</translation>
     </message>
 </context>
 <context>
@@ -14075,7 +14079,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
     <message>
         <source>To mark a time, click an event in Result or place the time cursor on the page Blow.</source>
-        <translation>Eine Zeit markieren: im Ergebnis auf ein Ereignis klicken oder auf der Seite Schlag die Zeitmarke setzen.</translation>
+        <translation>Zeit markieren: Klick auf ein Ereignis im Ergebnis, oder die Zeitmarke auf der Seite Schlag.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -15151,14 +15155,13 @@ flexion</translation>
     <message>
         <source>strength
 used</source>
-        <translation>Festigkeit
-genutzt</translation>
+        <translation>Aus-
+lastung</translation>
     </message>
     <message>
         <source>joint
 loss</source>
-        <translation>Verbin-
-dungs-
+        <translation>Gewinde-
 verlust</translation>
     </message>
     <message>
@@ -16059,8 +16062,8 @@ Mittel sowie 5-, 50- und 95-%-Quantil, auch der Anteil der Spalte mit einer Sto�
         <translation>Startwert der zufälligen Schlagabstände: kurz für --set drill.seed=N</translation>
     </message>
     <message>
-        <source>vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
-        <translation>diesen Parameter verändern und seine Werte vergleichen; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C</translation>
+        <source>vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C, with units</source>
+        <translation>diesen Parameter verändern und seine Werte vergleichen; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C, mit Einheiten</translation>
     </message>
     <message>
         <source>with --scan, also write the gap of each blow to this file, except for transient blows</source>
@@ -16209,8 +16212,8 @@ exponentiellen Schlägen und Kolbenschlägen.</translation>
         <translation>nur Voreinstellungen mit allen diesen Wörtern in Art, Name, Zahlen oder Quelle auflisten, zum Beispiel &quot;T38 bit&quot;</translation>
     </message>
     <message>
-        <source>mean gap between bit and rock at the start of the blows (drill)</source>
-        <translation>mittlerer Spalt zwischen Bohrkrone und Gestein zu Beginn der Schläge (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows, from `drill`</source>
+        <translation>mittlerer Spalt zwischen Bohrkrone und Gestein zu Beginn der Schläge, aus `drill`</translation>
     </message>
     <message>
         <source>standard deviation of the gap between bit and rock at the start of the blows</source>
@@ -16617,8 +16620,8 @@ Szenario nehmen, können eine solche Aufzeichnung als Schlag verwenden, mit --si
         <translation>Grenze: nur Auslegungen zulassen, bei denen diese Statistik des Ergebnisses mindestens VALUE ist</translation>
     </message>
     <message>
-        <source>read these records of strain gauges; give several in their order along the hole</source>
-        <translation>diese Aufzeichnungen von Dehnungsmessstreifen lesen; mehrere in ihrer Folge im Bohrloch angeben</translation>
+        <source>read these records of strain gauges; give several records in the order of hole depth, the shallowest first</source>
+        <translation>diese Aufzeichnungen von Dehnungsmessstreifen lesen; mehrere nach der Bohrlochtiefe ordnen, die flachste zuerst</translation>
     </message>
     <message>
         <source>column of a gauge and its distance from the bit face; give one or two gauges. A+B@… takes the mean of two gauges on opposite sides</source>
@@ -16841,7 +16844,7 @@ with their errors, and the share of blows that start with the bit on the rock. A
 the motion repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust,
 the feed force. Penetrations are upper limits, because all rock under the bit is assumed to break.
 --scan compares values of a parameter. Each value is simulated twice: starting at rest and
-starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into
+starting with a bouncing machine. A second row is printed only if the two differ. -o DIR writes scenario.yaml, summary.json and blows.csv into
 DIR, with --histories also histories.csv, with --plots also drilling.png.</source>
         <translation>Simuliert aufeinanderfolgende Schläge. Die Restwellen und die Bewegung der Maschine auf ihrem Dämpfer gehen von
 einem Schlag in den nächsten über; jeder Schlag trifft neues Gestein. Gibt Eindringung und Bohrfortschritt mit
@@ -16849,7 +16852,7 @@ ihren Fehlern aus und den Anteil der Schläge, die mit der Bohrkrone am Gestein 
 die Bewegung wiederholt und wohin die Energie geht. FILE braucht drill.blow_frequency und drill.thrust, den
 Andruck. Eindringungen sind obere Grenzen, weil angenommen wird, dass alles Gestein unter der Krone bricht.
 --scan vergleicht Werte eines Parameters. Jeder Wert wird zweimal simuliert: mit einem Anfang aus
-der Ruhe und mit springender Maschine. -o DIR schreibt scenario.yaml, summary.json und blows.csv
+der Ruhe und mit springender Maschine. Eine zweite Zeile wird nur ausgegeben, wenn sich beide unterscheiden. -o DIR schreibt scenario.yaml, summary.json und blows.csv
 nach DIR, mit --histories auch histories.csv, mit --plots auch drilling.png.</translation>
     </message>
     <message>

@@ -2558,8 +2558,8 @@ Ta bort ändå?</translation>
         <translation>medelspalt vid slaget</translation>
     </message>
     <message>
-        <source>mean gap between bit and rock at the start of the blows (drill)</source>
-        <translation>medelspalt mellan borrkrona och berg när slagen börjar (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows, from `drill`</source>
+        <translation>medelspalt mellan borrkrona och berg när slagen börjar, från `drill`</translation>
     </message>
     <message>
         <source>mean impulse on the rock</source>
@@ -3387,8 +3387,8 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Sidan Identifiera bestämmer bergets styvhet och elasticitet och spalten mellan borrkrona och berg ur mätningar med töjningsgivare på stången. Öppna inspelningen av ett slag, eller av flera slag längs ett borrhål.</translation>
     </message>
     <message>
-        <source>The largest compression is %1 (%2), the largest tension %3 (%4).</source>
-        <translation>Den största tryckspänningen är %1 (%2), den största dragspänningen %3 (%4).</translation>
+        <source>During the blow, the largest compression is %1 (%2), the largest tension %3 (%4).</source>
+        <translation>Under slaget är den största tryckspänningen %1 (%2), den största dragspänningen %3 (%4).</translation>
     </message>
     <message>
         <source>x/L = %1</source>
@@ -3672,7 +3672,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     </message>
     <message>
         <source>To mark a time, press T over the plots or click an event in Result.</source>
-        <translation>Markera en tid: tryck T över diagrammen eller klicka på en händelse i resultatet.</translation>
+        <translation>Markera tid: T över diagrammen eller klick på en händelse i resultatet.</translation>
     </message>
     <message>
         <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
@@ -12140,8 +12140,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>En matningskraft på minst %1 skulle till och med föra en odämpad stång tillbaka till berget före varje nästa slag.</translation>
     </message>
     <message>
-        <source>The installed feed force is enough for single blows.</source>
-        <translation>Den installerade matningskraften räcker för enstaka slag.</translation>
+        <source>No larger feed force is required.</source>
+        <translation>Ingen större matningskraft krävs.</translation>
     </message>
     <message>
         <source>another solution, as good</source>
@@ -12686,12 +12686,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 av %2 punkter inte lösta (skrafferade)</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is above %5. The point with the lowest such %3 has %4 = %6.</source>
-        <translation>%1 överstiger %2 bara där %3 är över %5. Punkten med det lägsta sådana värdet har %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is above %5. At %4 = %6, %3 = %5 is enough.</source>
+        <translation>%1 överstiger %2 bara där %3 är över %5. Vid %4 = %6 räcker %3 = %5.</translation>
     </message>
     <message>
-        <source>%1 exceeds %2 only where %3 is below %5. The point with the highest such %3 has %4 = %6.</source>
-        <translation>%1 överstiger %2 bara där %3 är under %5. Punkten med det högsta sådana värdet har %4 = %6.</translation>
+        <source>%1 exceeds %2 only where %3 is below %5. At %4 = %6, %3 = %5 is low enough.</source>
+        <translation>%1 överstiger %2 bara där %3 är under %5. Vid %4 = %6 är %3 = %5 lågt nog.</translation>
     </message>
     <message>
         <source>present design: %1</source>
@@ -12982,6 +12982,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Feed force over %1, for %2. Each strip runs from the required feed force to the one that returns the rod in time. The shades behind the strips show what a feed force does for the rebound of this blow.</source>
         <translation>Matningskraft över %1, för %2. Varje band går från matningskraften som krävs till den som för tillbaka stången i tid. Tonerna bakom banden visar vad en matningskraft gör vid detta slags studs.</translation>
+    </message>
+    <message>
+        <source>These values give the same penetration rate within the errors of the computation: %1.</source>
+        <translation>Dessa värden ger samma borrsjunkning inom beräkningens fel: %1.</translation>
     </message>
 </context>
 <context>
@@ -14075,7 +14079,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
     <message>
         <source>To mark a time, click an event in Result or place the time cursor on the page Blow.</source>
-        <translation>Markera en tid: klicka på en händelse i resultatet eller sätt tidsmarkören på sidan Slag.</translation>
+        <translation>Markera tid: klick på en händelse i resultatet, eller tidsmarkören på sidan Slag.</translation>
     </message>
     <message>
         <source>t = %1 · U = %2 · F = %3</source>
@@ -15151,9 +15155,8 @@ i skarv</translation>
     <message>
         <source>strength
 used</source>
-        <translation>håll-
-fasthet
-nyttjad</translation>
+        <translation>utnytt-
+jande</translation>
     </message>
     <message>
         <source>joint
@@ -16057,8 +16060,8 @@ under noll.</translation>
         <translation>startvärde för de slumpmässiga slagintervallen: kortform för --set drill.seed=N</translation>
     </message>
     <message>
-        <source>vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C</source>
-        <translation>variera denna parameter och jämför dess värden; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C</translation>
+        <source>vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log (equal ratios) or A,B,C, with units</source>
+        <translation>variera denna parameter och jämför dess värden; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C, med enheter</translation>
     </message>
     <message>
         <source>with --scan, also write the gap of each blow to this file, except for transient blows</source>
@@ -16207,8 +16210,8 @@ kolvslag.</translation>
         <translation>lista bara förval med alla dessa ord i typ, namn, tal eller källa, t.ex. &quot;T38 bit&quot;</translation>
     </message>
     <message>
-        <source>mean gap between bit and rock at the start of the blows (drill)</source>
-        <translation>medelspalt mellan borrkrona och berg när slagen börjar (drill)</translation>
+        <source>mean gap between bit and rock at the start of the blows, from `drill`</source>
+        <translation>medelspalt mellan borrkrona och berg när slagen börjar, från `drill`</translation>
     </message>
     <message>
         <source>standard deviation of the gap between bit and rock at the start of the blows</source>
@@ -16615,8 +16618,8 @@ tar ett scenario kan använda en sådan mätning som slag, med --signal FILE och
         <translation>gräns: godta bara konstruktioner för vilka denna statistik av resultatet är minst VALUE</translation>
     </message>
     <message>
-        <source>read these records of strain gauges; give several in their order along the hole</source>
-        <translation>läs dessa mätningar från töjningsgivare; ange flera i deras ordning längs hålet</translation>
+        <source>read these records of strain gauges; give several records in the order of hole depth, the shallowest first</source>
+        <translation>läs dessa inspelningar från töjningsgivare; ange flera i ordning efter borrhålets djup, den grundaste först</translation>
     </message>
     <message>
         <source>column of a gauge and its distance from the bit face; give one or two gauges. A+B@… takes the mean of two gauges on opposite sides</source>
@@ -16838,7 +16841,7 @@ with their errors, and the share of blows that start with the bit on the rock. A
 the motion repeats, and where the energy goes. FILE needs drill.blow_frequency and drill.thrust,
 the feed force. Penetrations are upper limits, because all rock under the bit is assumed to break.
 --scan compares values of a parameter. Each value is simulated twice: starting at rest and
-starting with a bouncing machine. -o DIR writes scenario.yaml, summary.json and blows.csv into
+starting with a bouncing machine. A second row is printed only if the two differ. -o DIR writes scenario.yaml, summary.json and blows.csv into
 DIR, with --histories also histories.csv, with --plots also drilling.png.</source>
         <translation>Simulerar på varandra följande slag. Restvågorna och maskinens rörelse på sin dämpare förs vidare
 från ett slag till nästa; varje slag möter nytt berg. Skriver inträngning och borrsjunkning med
@@ -16846,7 +16849,7 @@ sina fel, och andelen slag som börjar med borrkronan mot berget. Skriver även 
 sig och vart energin tar vägen. FILE behöver drill.blow_frequency och drill.thrust,
 matningskraften. Inträngningar är övre gränser, eftersom allt berg under kronan antas brytas.
 --scan jämför värden på en parameter. Varje värde simuleras två gånger: med start från vila och
-med studsande maskin. -o DIR skriver scenario.yaml, summary.json och blows.csv till DIR, med
+med studsande maskin. En andra rad skrivs bara om de två skiljer sig. -o DIR skriver scenario.yaml, summary.json och blows.csv till DIR, med
 --histories även histories.csv, med --plots även drilling.png.</translation>
     </message>
     <message>

@@ -114,7 +114,7 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
 QString largestStressText(const SolvedBlow& blow) {
     const Output &compression = *findOutput("peak_compression"), &tension = *findOutput("peak_tension");
     if (placeText(compression, blow).isEmpty() || placeText(tension, blow).isEmpty()) return {};
-    return tr("The largest compression is %1 (%2), the largest tension %3 (%4).")
+    return tr("During the blow, the largest compression is %1 (%2), the largest tension %3 (%4).")
         .arg(outputText(compression, blow), placeText(compression, blow), outputText(tension, blow),
              placeText(tension, blow));
 }

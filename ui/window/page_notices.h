@@ -16,7 +16,7 @@ class PageTabs;
 
 // Notice of why a page is not available for this scenario, and which page has the answer instead.
 
-/// Notice why a page is not available for the present scenario, and which page shows the answer instead. It
+/// Notice that says why a page is not available for the present scenario, and which page to use instead. It
 /// disappears when another page is shown, or when the page becomes available.
 class ElsewhereNotice : public Notice {
     Q_OBJECT

@@ -104,7 +104,7 @@ class Finder {
   public:
     Finder(Pieces pieces, const CurveRange& range)
         : m_range(range),
-          m_pieces(mergeSlivers(pieces)),
+          m_pieces(limitSliverErrors(pieces)),
           m_storage(segmentsOf(m_pieces, 0)),
           m_segments(m_storage) {
         for (const MonotoneSegment& segment : m_segments)
@@ -264,7 +264,7 @@ class Finder {
 
 }  // namespace
 
-std::vector<FitPiece> mergeSlivers(std::span<const FitPiece> pieces) {
+std::vector<FitPiece> limitSliverErrors(std::span<const FitPiece> pieces) {
     std::vector<FitPiece> quiet(pieces.begin(), pieces.end());
     const auto nearest = [&](std::size_t i, int step) {
         for (std::size_t j = i + step; j < quiet.size(); j += step)  // wraps below 0

@@ -11,9 +11,10 @@
 
 namespace drillwave {
 
-/// Returns the pieces of a curve, in which a sliver has an error no larger than that of its neighbours. A
-/// sliver is the tiny piece around a kink or jump, whose own error exceeds the tolerance of the fit.
-std::vector<FitPiece> mergeSlivers(std::span<const FitPiece> pieces);
+/// Returns the same pieces of a curve, with the error of each sliver reduced to the larger error of its
+/// neighbours. A sliver is a tiny piece around a kink or jump. Its own error, above the tolerance of the fit,
+/// says nothing of the curve.
+std::vector<FitPiece> limitSliverErrors(std::span<const FitPiece> pieces);
 
 /// Returns the features of a curve, ascending in the parameter: global and local extremes, kinks, jumps and
 /// crossings of `levels`. If a piece has several functions, the first one is used; its argument is the share

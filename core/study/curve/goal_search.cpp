@@ -248,7 +248,7 @@ class Search {
         const CurveOutput& output = line.outputs.front();
         GoalAnswer& answer = line.goal.emplace();
         answer.isComplete = output.grid.empty() && output.unsolved.empty();
-        const std::vector<FitPiece> pieces = mergeSlivers(output.pieces);
+        const std::vector<FitPiece> pieces = limitSliverErrors(output.pieces);
         const std::vector<MonotoneSegment> segments = segmentsOf(pieces, 0);
         if (segments.empty()) return;
         m_sizes[number] = sizeOf(segments, *m_question.goal);

@@ -47,8 +47,9 @@ struct FitErrors {
     Eigen::MatrixXd draws;  ///< change of each unknown (row) for each simulated noise record (column)
     std::vector<BudgetEffect> budget;
     MisfitFound misfit;
-    /// Amplitude of stray waves between blow and reflection, as a share of the peak force. With two gauges,
-    /// it is the rms difference between their signals during the first passage.
+    /// Amplitude of stray waves in the time between the first passage of the wave and its reflection, as a
+    /// share of the peak force. With two gauges, it is the rms difference between their signals during the
+    /// first passage.
     double quiet = 0;
     /// Amplitude A of waves that the model does not explain, as a share of the peak force.
     double unexplained = 0;

@@ -15,7 +15,7 @@ namespace drillwave {
 /// Section of rod or string whose sizes (length, diameters) a fit may change within their tolerances.
 struct SizedSection {
     std::string name;  ///< name for messages, such as "bit head"; "section 7" if the section has no name
-    /// Key of the section in scenario files without its field, such as "string.bit_head" or "string.7".
+    /// Key of the section in scenario files, without a field name after it, such as "string.bit_head".
     std::string key;
     double length = 0;     ///< length of the section [m]
     double impedance = 0;  ///< mean characteristic impedance [N s/m]

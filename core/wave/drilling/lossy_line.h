@@ -144,7 +144,7 @@ class LossyLine {
         m_held = wave * m_roundTrip;
         m_square = wave * wave * m_roundTrip;
         m_lost = 0;
-        m_oldestSquare = m_line.arriving()->meanSquare();
+        m_oldestSquare = m_line.oldest()->meanSquare();
         m_headAtFilling = 0;
         m_headAtFilling = headEnergy();
     }
@@ -154,9 +154,9 @@ class LossyLine {
     /// Returns the wave b_out that leaves the section over the next time step (a cell or a part of one), in
     /// units of F0.
     WaveCell arrive() {
-        WaveCell out = *m_line.arriving();
+        WaveCell out = *m_line.oldest();
         if (m_shift.isShifted()) {
-            const WaveCell& next = *(m_line.arriving() + 1);
+            const WaveCell& next = *(m_line.oldest() + 1);
             out = m_shift.project(out, next);
             m_projected = m_kept * m_kept * (m_oldestSquare - out.meanSquare());
             m_oldestSquare = next.meanSquare();
@@ -170,7 +170,7 @@ class LossyLine {
     /// Stores the wave b_in that enters the section over the same time step as the wave `out` that arrive()
     /// returned. `part` is the index of this time step among the parts of its cell.
     void enter(const WaveCell& in, const WaveCell& out, std::size_t part) {
-        WaveCell& stored = *m_line.leaving();
+        WaveCell& stored = *m_line.newest();
         stored = in;
         if (isLossy()) {
             stored.c[0] -= 0.5 * (m_mean + m_next);
@@ -181,8 +181,8 @@ class LossyLine {
     /// Stores the wave that enters if the leaving wave `out` is reflected with the constant `change` [F0]
     /// added, b_in = out + change. It replaces enter() for a rod in free flight, for which it is faster.
     void turn(double change, const WaveCell& out, std::size_t part) {
-        const WaveCell& oldest = *m_line.arriving();
-        WaveCell& stored = *m_line.leaving();
+        const WaveCell& oldest = *m_line.oldest();
+        WaveCell& stored = *m_line.newest();
         for (int k = 0; k < WaveCell::count; ++k) stored.c[k] = m_kept * oldest.c[k];
         stored.c[0] += change;
         pass(change, change * (2 * out.mean() + change), part);
@@ -229,7 +229,7 @@ class LossyLine {
         if (isLossy()) moved += m_roundTrip * (m_mean - other.m_mean);
         m_held = other.m_held + moved;
         m_square = other.m_square;
-        m_oldestSquare = m_line.arriving()->meanSquare();
+        m_oldestSquare = m_line.oldest()->meanSquare();
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
     /// Adds a constant to each stored cell (time step), to make a slightly different state for the Lyapunov
@@ -288,7 +288,7 @@ class LossyLine {
     /// includes the whole cell.
     double headEnergy() const {
         if (!m_shift.isShifted()) return 0;
-        const double head = m_shift.headSquare(*m_line.arriving());
+        const double head = m_shift.headSquare(*m_line.oldest());
         return m_kept * m_kept * m_parts.front().width * head - m_headAtFilling;
     }
 

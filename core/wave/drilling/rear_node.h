@@ -75,7 +75,7 @@ class RearNode {
         double hammerImpedance = 0;
         /// Impedance Z2 of the first section of the string.
         double impedance = 1;
-        /// Contact of hammer and string: stiffness, and whether it may close again.
+        /// Contact of hammer and string: its stiffness, and whether the hammer may hit the string again.
         HammerFace face;
         /// Machine body with damper; nothing for a constant force.
         std::optional<MachineBody> machine;

@@ -71,8 +71,8 @@ using HandOver = std::function<std::size_t(Impact&)>;
 /// take 90 MB. Solutions with exponential sums have fewer.
 inline constexpr long mostPiecesKept = 100'000;
 
-/// Number of wave pieces in the recorded histories at which the function HandOver is called for the first
-/// time.
+/// Number of recorded wave pieces (each a short time with one formula) after which the solver calls HandOver
+/// for the first time, which evaluates them.
 inline constexpr std::size_t piecesHandedOver = 20'000;
 
 /// Returns the solution of a blow whose histories are too long to be kept. They are passed to `handOver` in

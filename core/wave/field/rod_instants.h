@@ -72,7 +72,7 @@ inline Side sideOfPart(int part, int parts) {
     return part == 0 ? Side::start : part == parts ? Side::end : Side::inside;
 }
 
-/// Returns the number of the first piece of the histories that ends at the recorded time `from` or later.
+/// Returns the index of the first piece of the recorded waves that ends at the recorded time `from` or later.
 std::size_t firstPieceUntil(const Impact& impact, double from);
 
 /// Calls pass(piece, x, side) for points of the recorded waves in order of time. `piece` is the index of a

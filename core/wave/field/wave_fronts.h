@@ -46,9 +46,9 @@ struct FrontRun {
     double direction() const { return heading == Heading::toBit ? 1 : -1; }
 };
 
-/// Returns the paths of one front that are travelled between the times `begin` and `end`, in the order in
-/// which they reach or leave the bit. The front leaves the hammer at the time `start`, one of pulseFronts().
-/// Times are in t0 since the start of the blow.
+/// Returns the runs of one front along the rod, towards the bit and back, between the times `begin` and
+/// `end`, in order of time. The front leaves the hammer at the time `start`, one of pulseFronts(). Times are
+/// in t0 since the start of the blow.
 std::vector<FrontRun> frontRuns(const Impact& impact, double start, double begin, double end);
 
 /// Interval of time during which bit and rock are in contact, in units of t0 since the start of the blow.

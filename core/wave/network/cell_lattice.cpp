@@ -118,7 +118,7 @@ CellLattice::NodeJump CellLattice::stepBlock(StringCensus& census, const std::st
 
 /// A free end, or one that a force pushes.
 CellLattice::NodeJump CellLattice::stepRear(const NodeTurn& turn, StringCensus& census) {
-    const WaveCell* back = m_lines[0].arriving();
+    const WaveCell* back = m_lines[0].oldest();
     if (!m_force) {
         for (std::size_t i = turn.from; i < turn.behind(); ++i) toDown(0)[i] = -m_passing[0] * back[i];
         return {};
@@ -141,7 +141,7 @@ CellLattice::NodeJump CellLattice::stepRear(const NodeTurn& turn, StringCensus& 
 
 /// The waves back over these steps of the block, as they arrive at its rear end.
 const WaveCell* CellLattice::arriving(std::size_t section, const NodeTurn& turn) {
-    const WaveCell* b = m_lines[section].arriving();
+    const WaveCell* b = m_lines[section].oldest();
     if (m_passing[section] == 1) return b;
     for (std::size_t i = turn.from; i < turn.behind(); ++i) m_weakened[i] = m_passing[section] * b[i];
     return m_weakened.data();
@@ -159,7 +159,7 @@ CellLattice::NodeJump CellLattice::stepJoint(const NodeTurn& turn, StringCensus&
         f1 = f2;
     }
     if (m_joints[j - 1].mass() > 0 && census.isUnderWay()) countMass(j - 1, f1, b2, turn, census);
-    m_joints[j - 1].step(f1, b2, m_lines[j - 1].leaving() + turn.from, f2, turn.count, part, parts);
+    m_joints[j - 1].step(f1, b2, m_lines[j - 1].newest() + turn.from, f2, turn.count, part, parts);
     return {};
 }
 
@@ -167,7 +167,7 @@ CellLattice::NodeJump CellLattice::stepFace(const NodeTurn& turn, StringCensus& 
     const std::size_t j = faceSection();
     CellCuts::Walk at(m_cuts, m_step + static_cast<long>(turn.from));
     const WaveCell *f1 = down(j - 1), *b2 = arriving(j, turn);
-    WaveCell *b1 = m_lines[j - 1].leaving(), *f2 = toDown(j);
+    WaveCell *b1 = m_lines[j - 1].newest(), *f2 = toDown(j);
     const double censusClock = census.isUnderWay() ? census.time() : never;
     CellJump jump;
     for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
@@ -188,7 +188,7 @@ CellLattice::NodeJump CellLattice::stepBit(const NodeTurn& turn, StringCensus& c
     const double censusClock = census.isUnderWay() ? census.clockOf(j + 1) : never;
     const long pieces = m_bit.pieces();
     const WaveCell* entered = down(j);
-    WaveCell *leaving = m_lines[j].leaving(), weakened;
+    WaveCell *leaving = m_lines[j].newest(), weakened;
     CellJump jump;
     for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
         if (weakens) weakened = m_passing[j] * entered[i];

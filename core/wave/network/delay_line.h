@@ -26,19 +26,20 @@ class DelayLine {
     }
 
     /// Returns a pointer to the cells (time steps of the wave) that leave the section next, the oldest first.
-    const Cell* arriving() const { return m_cells.data() + m_at; }
-    /// Returns a pointer to the memory for the next cells (time steps of the wave) that enter the section.
-    Cell* leaving() { return m_cells.data() + m_at + m_delay; }
-    /// Returns a pointer to the cells (time steps of the wave) that enter the section, as they were last
-    /// written.
-    const Cell* leaving() const { return m_cells.data() + m_at + m_delay; }
+    const Cell* oldest() const { return m_cells.data() + m_at; }
+    /// Returns a pointer to the memory into which the next cells (time steps of the wave) are written, as
+    /// they enter the section.
+    Cell* newest() { return m_cells.data() + m_at + m_delay; }
+    /// Returns a pointer to the cells (time steps of the wave) that have entered the section last, since the
+    /// last advance().
+    const Cell* newest() const { return m_cells.data() + m_at + m_delay; }
     /// Returns the length of the queue in cells (time steps): the round trip of the section.
     std::size_t delay() const { return m_delay; }
     /// Returns all cells (time steps) of the wave in the section, the oldest first.
-    std::span<const Cell> content() const { return {arriving(), m_delay}; }
+    std::span<const Cell> content() const { return {oldest(), m_delay}; }
     std::span<Cell> content() { return {m_cells.data() + m_at, m_delay}; }
 
-    /// Advances the queue by `block` cells (time steps), after as many have been written at leaving().
+    /// Advances the queue by `block` cells (time steps), after as many have been written at newest().
     void advance(std::size_t block) {
         m_at += block;
         if (m_at <= m_last) return;

@@ -65,7 +65,7 @@ bool FreeFlight::staysClear(double cells, const std::stop_token& stop) {
 bool FreeFlight::step(const NodeTurn& turn) {
     if (turn.node == m_count) return stepBit(turn);
     if (turn.node == 0) {  // free: a force instead of a hammer is over
-        const double* back = m_lines[0].arriving();
+        const double* back = m_lines[0].oldest();
         double* f = down(0);
         for (std::size_t i = turn.from; i < turn.behind(); ++i) f[i] = -back[i];
         return true;
@@ -73,8 +73,8 @@ bool FreeFlight::step(const NodeTurn& turn) {
     if (turn.node == m_face) return stepFace(turn);
     const double r = m_reflections[turn.node];
     const double* f1 = down(turn.node - 1) + turn.from;
-    const double* b2 = m_lines[turn.node].arriving() + turn.from;
-    double* b1 = m_lines[turn.node - 1].leaving() + turn.from;
+    const double* b2 = m_lines[turn.node].oldest() + turn.from;
+    double* b1 = m_lines[turn.node - 1].newest() + turn.from;
     double* f2 = down(turn.node) + turn.from;
     for (std::size_t i = 0; i < turn.count; ++i) {
         const double f = f1[i], b = b2[i], turned = r * (f - b);
@@ -88,8 +88,8 @@ bool FreeFlight::stepFace(const NodeTurn& turn) {
     const std::size_t j = m_face;
     const double of1 = 2 * m_cell / m_impedances[j - 1], of2 = 2 * m_cell / m_impedances[j];
     const double* f1 = down(j - 1);
-    const double* b2 = m_lines[j].arriving();
-    double* b1 = m_lines[j - 1].leaving();
+    const double* b2 = m_lines[j].oldest();
+    double* b1 = m_lines[j - 1].newest();
     double* f2 = down(j);
     double gap = m_faceGap, least = gap;
     for (std::size_t i = turn.from; i < turn.behind(); ++i) {
@@ -107,7 +107,7 @@ bool FreeFlight::stepBit(const NodeTurn& turn) {
     const std::size_t j = m_count - 1;
     const double ofWave = 2 * m_cell / m_impedances[j];
     const double* arriving = down(j);
-    double* leaving = m_lines[j].leaving();
+    double* leaving = m_lines[j].newest();
     double distance = m_bitDistance, least = distance;
     for (std::size_t i = turn.from; i < turn.behind(); ++i) {
         const double g = arriving[i];

@@ -149,7 +149,7 @@ void NetworkMarch::countBlock(const std::stop_token& stop) {
         for (const bool down : {true, false}) {
             LineCensus& line = down ? m_census.down(j) : m_census.up(j);
             if (!line.concerns(start, end, m_plan.isLossy())) continue;
-            const WaveCell* cells = down ? m_lattice.down(j) : m_lattice.line(j).leaving();
+            const WaveCell* cells = down ? m_lattice.down(j) : m_lattice.line(j).newest();
             CellCuts::Walk at(cuts, step);
             for (std::size_t i = 0; i < stepsOfBlock; ++i, at.next())
                 line.add(cells[i], at.clock(), at.width());

@@ -62,7 +62,7 @@ void WaveRecorder::addForces(const std::stop_token& stop) {
     for (std::size_t j = 0; j < m_watches.size() && !stop.stop_requested(); ++j) {
         m_watches[j].setEndOfBlow(m_endOfBlow, wantedTime());
         const DelayLine<WaveCell>& line = m_lattice->line(j);
-        m_watches[j].add({m_lattice->down(j), stepsOfBlock}, {line.arriving(), line.delay() + stepsOfBlock},
+        m_watches[j].add({m_lattice->down(j), stepsOfBlock}, {line.oldest(), line.delay() + stepsOfBlock},
                          m_lattice->step(), m_lattice->cuts(), lastTime);
         if (j >= problem.hammerSections() && j < m_alone.size()) addReflection(j);
     }
@@ -83,13 +83,13 @@ void WaveRecorder::addReflection(std::size_t section) {
 void WaveRecorder::addWaves() {
     if (m_waves->isFull()) return m_waves.reset();
     CellCuts::Walk at(m_lattice->cuts(), m_lattice->step());
-    const WaveCell* back = m_lattice->line(0).arriving();
+    const WaveCell* back = m_lattice->line(0).oldest();
     for (std::size_t i = 0; i < stepsOfBlock; ++i, at.next())
         m_waves->addStep(at.clock(), at.width(), m_lattice->bitForces()[i],
                          m_lattice->down(0)[i] + m_lattice->passing(0) * back[i]);
     for (std::size_t j = 0; j < m_plan->sections(); ++j)
         for (std::size_t i = 0; i < stepsOfBlock; ++i)
-            m_waves->add(j, m_lattice->down(j)[i], m_lattice->line(j).leaving()[i]);
+            m_waves->add(j, m_lattice->down(j)[i], m_lattice->line(j).newest()[i]);
 }
 
 long WaveRecorder::workForForces(long cells) const {

@@ -139,7 +139,7 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "A feed force of 12 kN is enough for a single blow at any gap. It even returns an undamped rod to "
         "the "
         "rock before the next blow (this requires 11.45 kN).",
-        "The installed feed force is enough for single blows.");
+        "No larger feed force is required.");
     row("a string, at this gap", "t38_string", 8e3,
         "A feed force of 8 kN is enough for this blow (4.509 kN required), but not for rigid rock (9.017 kN "
         "required). Other gaps between bit and rock were not examined.",
@@ -154,7 +154,7 @@ void TestFeedWords::eachStateHasItsSentence_data() {
         "A feed force of 14 kN is enough for this blow and for rigid rock. It even returns an undamped rod "
         "to the rock before the next blow (this requires 13.53 kN). Other gaps between bit and rock were not "
         "examined.",
-        "The installed feed force is enough for single blows.");
+        "No larger feed force is required.");
     row("waves on their way", "t38_string", 14e3,
         "The single-blow estimate does not apply: the waves of a blow are still in the string at the next "
         "blow.",

@@ -99,6 +99,11 @@ void TestDrillingScan::theSentenceNamesTheBestAsFarAsTheErrorsTell() {
              "The highest penetration rate of the scan, 7.2 m/min, is reached with a feed force of 5 kN. All "
              "values from 4 kN to 6 kN give the same penetration rate within the errors of the computation." +
                  limits);
+    QCOMPARE(
+        saidOf(scanWith({{1.5, 0.01}, {2, 0.02}, {1.8, 0.01}, {1.99, 0.01}, {1.985, 0.01}})),
+        "The highest penetration rate of the scan, 7.2 m/min, is reached with a feed force of 4 kN. These "
+        "values give the same penetration rate within the errors of the computation: 4 kN, 6 kN to 7 kN." +
+            limits);
     QCOMPARE(saidOf(scanWith({{2, 0.05}, {1.99, 0.05}, {2.01, 0.05}, {2, 0.05}, {2, 0.05}})),
              "All values of the scan give the same penetration rate, 7.24 m/min, within the errors of the "
              "computation." +

@@ -125,7 +125,7 @@ void TestStringPicture::hammerAndAllSectionsAreInView() {
     QVERIFY(std::abs(x.lower + 0.45) < 1e-9 && std::abs(x.upper - 4.3) < 1e-9);
     QCOMPARE(t.lower, 0.0);
     QVERIFY(t.upper > blow->impact.separationTime * blow->units.time.factor);
-    QVERIFY(m_page->plot()->xAxis->label().contains(QStringLiteral("shank")));
+    QVERIFY(m_page->plot()->xAxis->label().contains(QStringLiteral("struck end")));
     // The colours go as far as the largest force, alike on both sides.
     double largest = 0;
     for (const SectionForces& section : blow->impact.sections)
