@@ -103,7 +103,7 @@ void TestPlotExport::aStringHasAllPictures() {
     QCOMPARE(pictures.problem, QString());
     QCOMPARE(pictures.files.size(), std::size_t{4});
     for (const char* name : {"wave_picture.svg", "rod.svg"})
-        QVERIFY2(textsOf(picture(pictures, name)).contains(QStringLiteral("hammer below 0")), name);
+        QVERIFY2(textsOf(picture(pictures, name)).contains(QStringLiteral("hammer at x < 0")), name);
     const QString texts = textsOf(picture(pictures, "wave_picture.svg"));
     for (const char* text : {"force N (tension positive) [kN]", "hammer", "coupling", "rod"})
         QVERIFY2(texts.contains(QString::fromUtf8(text)), text);
