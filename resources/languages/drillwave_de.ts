@@ -3753,7 +3753,7 @@ N₀ₚ ist die erste Welle zur Krone, N₁ₙ ihre Reflexion an der Krone, N₂
     </message>
     <message>
         <source>waves at x/L = %1 (p to the bit, n from it)</source>
-        <translation>Wellen bei x/L = %1 (p zur Krone, n zurück)</translation>
+        <translation>Wellen bei x/L = %1 (p hin, n zurück)</translation>
     </message>
     <message>
         <source>N, tension +</source>

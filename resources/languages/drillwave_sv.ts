@@ -3753,7 +3753,7 @@ N₀ₚ är den första vågen mot kronan, N₁ₙ dess reflexion från kronan, 
     </message>
     <message>
         <source>waves at x/L = %1 (p to the bit, n from it)</source>
-        <translation>vågor vid x/L = %1 (p mot kronan, n tillbaka)</translation>
+        <translation>vågor vid x/L = %1 (p fram, n tillbaka)</translation>
     </message>
     <message>
         <source>N, tension +</source>
