@@ -70,23 +70,26 @@ struct Blow {
     std::optional<double> thrustMargin() const { return feed ? feed->margin() : std::nullopt; }
 };
 
-/// Choice whether the largest forces in the rod are computed, which requires the histories of the waves.
+/// Choice whether solveBlow() computes the largest forces and stresses of a uniform rod. They require the
+/// histories of the waves.
 enum class Stresses {
-    /// Largest forces only if alerts need them, because the rod has a strength.
+    /// Largest forces only if the rod has a strength, so that alerts compare them with it.
     asNeeded,
     /// Largest forces and stresses whenever they can be computed.
     wanted,
 };
 
-/// Returns the blow of a scenario, solved with the given detail or more. An invalid scenario gives a blow
-/// that is not solved, with the reason. If the waves are too many to be kept, the exact method evaluates them
-/// during the computation, unless `detail` is Detail::histories. The lattice method then solves the blow
-/// without stresses. A stop request leaves the blow unsolved.
+/// Solves the blow of a scenario and returns it, with at least the results of `detail`. If the scenario is
+/// invalid, the blow is unsolved and contains the reason. A stop request also leaves it unsolved. Stresses of
+/// a uniform rod need all waves, which may be too many to be kept. Then the exact method evaluates the waves
+/// during the computation, and the lattice method omits the stresses. With Detail::histories, such a blow is
+/// unsolved.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
 
-/// Returns the blow of a scenario, solved with an existing solver to reuse its memory. `ofString` is the
-/// accuracy for drill strings. The other arguments are those of the function solveBlow() without a solver.
+/// Solves the blow of a scenario with an existing solver, whose memory is reused, and returns the blow.
+/// `ofString` is the accuracy for drill strings. The other arguments are those of solveBlow() without a
+/// solver.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
                NetworkAccuracy ofString = NetworkAccuracy::sure);
@@ -103,16 +106,17 @@ struct SolverWords {
     std::string key;
     /// Name of the method for the user, such as "lattice of 1000 segments".
     Message name;
-    /// Method with its settings as a part of a sentence, such as "method lattice, 1000 segments" or
-    /// "polynomial cells".
+    /// Method and settings as a part of a sentence, such as "method lattice, 1000 segments" or "polynomial
+    /// cells".
     Message asked;
-    /// Remark about the method in the first lines of a file, such as "method polynomial_cells"; read by
-    /// remarksOf().
+    /// Name of the method with its settings in the comment lines at the start of a file, such as "method
+    /// polynomial_cells". remarksOf() reads it again.
     std::string remark;
-    /// Number of pieces with its unit (Impact::pieces), such as "11 cells".
+    /// Number of computed steps or wave pieces (Impact::pieces), as text with a noun, such as "11 cells" or
+    /// "1000 steps".
     Message pieces;
 };
-/// Returns the names of the method that solved the blow.
+/// Returns the names of the method that solved the blow, to be written into results and reports.
 SolverWords solverWords(const Blow& blow);
 
 }  // namespace drillwave

@@ -52,19 +52,23 @@ double shareOfString(const DrillString& drillString, const StringPlace& place);
 /// uniform rod it is the middle of the rod.
 StringPlace middleOfLongest(const DrillString& drillString);
 
-/// Reader of the state at one position of a blow whose waves were recorded. The blow must outlive it.
+/// Reader of the forces and motion of a drill string over time, with the normal force and the waves at one of
+/// its positions. It refers to the recorded waves of a blow, which must outlive it.
 class StringHistory {
   public:
-    /// Creates a reader of the state at one position over time. Requires recorded waves (impact.waves).
+    /// Creates a reader for the position `place`. Requires recorded waves (impact.waves). Impact and problem
+    /// must outlive the reader.
     StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place);
 
-    /// Returns the state at the time t/t0. A time outside 0 … end() gives the state at the nearer end. At a
-    /// jump, `side` selects the value before or after it.
+    /// Returns the forces and motion of the drill string at the time t/t0, with the waves at the position of
+    /// this reader. A time outside 0 … end() is moved to the nearer limit. At a jump, `side` selects the
+    /// value before or after it.
     RodState at(double time, TimeSide side = TimeSide::after) const;
     /// Returns the time t/t0 up to which the waves are known.
     double end() const { return m_waves->end(); }
-    /// Returns the states at times from 0 to end(), to be joined by straight lines, with an error of about
-    /// 1e-4 F0. At a jump there are two states at the same time.
+    /// Returns the results of at() for times from 0 to end(), for example to draw curves. Straight lines
+    /// between them have an error of about 1e-4 F0. At a jump there are two entries for one time, before and
+    /// after it.
     std::vector<RodState> sampled() const;
 
   private:
@@ -80,27 +84,32 @@ class StringHistory {
 /// are in lengths of the string from the shank: the hammer is below 0, the bit at 1.
 std::vector<double> sectionJoints(const DrillString& drillString);
 
-/// Access to the waves of rods and strings for pictures. Positions x/L are 0 at the struck end (the shank of
-/// a string; the hammer is below 0) and 1 at the bit. Times are in t0, forces in F0, velocities in F0/Z,
-/// lengths in d0. A rod is known at all times; for a string, values later than end() are NaN.
+/// Access to the waves of a uniform rod or a drill string, for pictures. Positions x/L are 0 at the struck
+/// end (the shank of a string; the hammer is below 0) and 1 at the bit. Times are in t0, forces in F0,
+/// velocities in F0/Z, lengths in d0. A rod is known at all times; for a string, values later than end() are
+/// NaN.
 class BlowWaves {
   public:
-    /// Creates the access to a blow with histories (Impact::hasHistories()), which must outlive it.
+    /// Creates the access to the waves of a blow. The blow must have histories (Impact::hasHistories()) and
+    /// outlive this object.
     explicit BlowWaves(const Blow& blow);
 
     /// Returns the position x/L at which the picture begins: 0, or the rear end of the hammer (negative).
     double rear() const { return m_string ? m_string->rear() : 0; }
     /// Returns the time t/t0 up to which waves and motions are known; infinite for a uniform rod.
     double end() const;
-    /// Returns force or velocity at the centre of every cell of the grid, in units of F0 or F0/Z.
+    /// Returns force or velocity at the centre of every cell of a grid over position and time, for a picture
+    /// of the waves. Forces are in units of F0, velocities in F0/Z.
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
     /// Returns force or velocity at the position x/L and the time t/t0, in units of F0 or F0/Z.
     double value(WaveQuantity quantity, double x, double t) const;
-    /// Returns the state at the position x/L and the time t/t0; for a string, t is limited to end(). Impulse
-    /// and momentum have the units of the results: I0, or the hammer's momentum p0.
+    /// Returns the forces and motion at the time t/t0, with the waves at the position x/L. For a drill
+    /// string, a time later than end() counts as end(). Impulse and momentum are in units of I0, or of the
+    /// hammer's momentum p0.
     RodState state(double x, double t) const;
-    /// Returns the states over the recorded time, with two states at the same time at a jump. For a string
-    /// they are the states at `place`, for a uniform rod those at the bit (sampledStates()).
+    /// Returns forces and motion over the recorded time, for example to draw curves. A jump has two entries
+    /// for one time. For a drill string, normal force and waves are those at `place`; for a uniform rod,
+    /// those at the bit (sampledStates()).
     std::vector<RodState> sampled(const StringPlace& place) const;
 
     /// Returns the interval of time that a picture shows at first, in units of t0. It begins with the blow,
@@ -112,17 +121,19 @@ class BlowWaves {
     double arrival() const;
     /// Returns the time that a wave needs from the bit to the struck end and back, in units of t0.
     double roundTrip() const;
-    /// Returns the times t/t0 at which wave fronts start at the struck end, in increasing order.
+    /// Returns the times t/t0 at which wave fronts start at the struck end, in increasing order. A wave front
+    /// is the beginning, the end or a jump of the hammer force. Each time may be the `start` in frontRuns().
     std::vector<double> fronts() const;
-    /// Returns the paths, between the times `begin` and `end`, of the wave front that starts at the struck
-    /// end at the time `start`. Times are in t0.
+    /// Returns the straight lines in the x–t diagram along which one wave front runs, between the times
+    /// `begin` and `end`. The front starts at the struck end at the time `start`, one of fronts(). Times are
+    /// in t0.
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
-    /// Returns the intervals of contact of bit and rock, in order of time, in units of t0. If the computation
-    /// ended during a contact, that contact lasts to end().
+    /// Returns the intervals of contact of bit and rock, in order of time, in units of t0. A contact that
+    /// lasts longer than the computation ends at end().
     std::vector<ContactInterval> contacts() const;
     /// Returns the intervals of contact of hammer and string, in order of time, in units of t0; empty for a
-    /// rod. If the computation ended during a contact, that contact lasts to end().
+    /// uniform rod. A contact that lasts longer than the computation ends at end().
     std::vector<ContactInterval> faceContacts() const;
     /// Returns the contact state of bit and rock at the time t/t0; `contacts` is the result of contacts().
     BitState bit(const std::vector<ContactInterval>& contacts, double t) const;

@@ -17,10 +17,10 @@ struct ChainSolution {
 
 /// Returns the solution of a blow on a drill string. Each conical section is replaced by uniform pieces.
 /// Their number is doubled until coefficient of restitution and efficiency hardly change, or the work limit
-/// is near. The error that the pieces cause is proportional to the square of their length. The stated errors
-/// contain twice the last change, or more if earlier changes were larger. If the largest forces take too much
-/// work for so many pieces, all results are those for fewer pieces. If the waves are too many to be kept,
-/// only the waves are those for fewer pieces.
+/// is near. The error of this replacement is proportional to the square of the length of a piece. The stated
+/// errors contain twice the last change, or more if earlier changes were larger. If computing the largest
+/// forces takes too much work with the final number of pieces, all results are those with fewer pieces. If
+/// only the waves are too many to be kept, the waves are those with fewer pieces.
 ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                          const std::stop_token& stop = {});
 

@@ -32,13 +32,13 @@ struct DrillNumbers {
     Number rockImpulse;
     /// Mean over all blows of the largest impact force in each, in units of F0.
     Number peakForce;
-    /// Largest damper force of all blows, in units of F0.
+    /// Largest force of all blows in the damper between machine and rod, in units of F0.
     Number damperForce;
     /// Share of blows that start with the bit within 0.05 d0 of the rock; 0 … 1.
     Number contactShare;
     /// Mean number of contacts of bit and rock per blow.
     Number contacts;
-    /// Number of blows, 1 … 16, after which the motion repeats; 0 if it does not repeat.
+    /// Period of the steady motion: number of blows, 1 … 16, after which it repeats; 0 if it does not repeat.
     Number period;
     /// Lyapunov exponent λ per blow; above 0, individual blows are not reproducible.
     Number lyapunov;
@@ -46,25 +46,27 @@ struct DrillNumbers {
     Number thrustNumber;
     /// Number n_b of round trips of a wave between two blows.
     Number roundTrips;
-    /// Error of the momentum balance over N blows, as a share of the impulse N Fe/f of the effective feed
-    /// force Fe at the blow frequency f.
+    /// Error of the momentum balance over N blows, as a share of N Fe/f. This is the impulse of the effective
+    /// feed force Fe during N blows at the blow frequency f.
     Number momentumResidual;
     /// Error of the energy balance, as a share of the hammer work.
     Number energyResidual;
 };
 
-/// Sequences of blows that the requested outputs need.
+/// Sequences of blows that must be computed to get the requested outputs.
 struct RequiredMarches {
     /// Whether any output requires a sequence of blows.
     bool any = false;
-    /// Whether the Lyapunov exponent is required, which takes a second sequence.
+    /// Whether the Lyapunov exponent is required. It is found from a second sequence of blows next to the
+    /// first one.
     bool lyapunov = false;
-    /// Whether the error of the penetration is required, which takes a sequence with other time steps.
+    /// Whether the error of the penetration per blow is required. It is found from a second sequence of blows
+    /// with other time steps.
     bool penetrationError = false;
 };
 
-/// Default number of blows for each value in a study of many values, and number of transient blows among
-/// them.
+/// Default length of a sequence of blows in a study that computes one sequence for each of many values.
+/// `scanBlows` includes the `scanSettle` transient blows at the start, which the statistics exclude.
 inline constexpr long scanBlows = 300, scanSettle = 100;
 
 /// Number of blows of a sequence, and of transient blows at its start that the statistics exclude.
@@ -73,16 +75,16 @@ struct DrillLength {
     long settle = scanSettle;
 };
 
-/// Returns the number of blows and of transient blows for each value in a study of many values, as the
-/// scenario sets them. If the scenario only sets the number of blows, a fifth of them are transient.
+/// Returns the length of each sequence of blows in a study that computes one sequence for each of many
+/// values. The scenario sets the length. If it sets only the number of blows, a fifth of them are transient.
 DrillLength scanLengthOf(const Scenario& scenario);
 
 /// Returns the reasons why a sequence of blows cannot be computed for a valid scenario. Each begins with the
 /// key in question: "drill.thrust: is missing …". Returns an empty list if it can be computed.
 std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& length);
 
-/// Returns the reasons why no sequence of blows can be computed in a study of many values, as one line; empty
-/// if a sequence can be computed.
+/// Returns the reasons why a study of many values cannot compute sequences of blows for this scenario, as one
+/// line. Empty if it can.
 Message drillProblem(const Scenario& scenario);
 
 }  // namespace drillwave

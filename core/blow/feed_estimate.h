@@ -70,16 +70,17 @@ std::optional<double> weightAlongHole(const Scenario& scenario);
 // Feed force that a single blow requires
 
 /// Returns the required feed force f·I0·(1 + e), in N (T34) [paper (9)]. It is the mean force of the rock if
-/// every blow starts at rest on the rock; a negative e counts as 0. For drill strings (strings §7), I0 is the
-/// impulse that the hammer transfers: its momentum times `transferred` (ImpactSummary::transferred). Returns
-/// nullopt if thrustProblem() gives a reason.
+/// every blow starts at rest on the rock; a negative e = `cor` counts as 0. For drill strings (strings §7),
+/// I0 is the impulse that the hammer transfers: its momentum times `transferred`
+/// (ImpactSummary::transferred). Returns nullopt if thrustProblem() gives a reason.
 std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred = 1);
 
-/// Returns the reason why a scenario has no required feed force, and the remedy; empty if it has one.
+/// Returns the reason why the required feed force cannot be computed for a scenario, and the remedy. Empty if
+/// it can.
 Message thrustProblem(const Scenario& scenario);
 
-/// Returns the reason why a scenario has no margin of the installed feed force, and the remedy; empty if it
-/// has one.
+/// Returns the reason why the margin of the feed force (its excess over the required one) cannot be computed
+/// for a scenario, and the remedy. Empty if it can.
 Message thrustMarginProblem(const Scenario& scenario);
 
 /// Returns the reason why a scenario has no blow frequency; empty if it has one. `what` names the quantity
@@ -106,8 +107,8 @@ struct UndampedMotion {
     Kind kind = Kind::pushedBack;
     /// Impact velocity V on the rock, in units of v0 (T36); only for Kind::bouncing.
     double impactVelocity = 0;
-    /// Time a from a blow to the impact of the bit on the rock, in units of 1/f (T36); only for
-    /// Kind::bouncing.
+    /// Time a from a blow to the impact of the bit on the rock, in units of the blow period 1/f (T36); only
+    /// for Kind::bouncing.
     double delay = 0;
     /// Gap y between bit and rock when the hammer strikes, in units of v0/f (T36); ≥ 0.
     double gap = 0;
@@ -120,8 +121,8 @@ struct UndampedMotion {
 /// Returns the steady motion for φ = Fe/(f I0) = `feed` and the coefficient of restitution e = `cor` ≥ 0.
 UndampedMotion undampedMotion(double feed, double cor);
 
-/// Returns φ = (1+e)/(1−e), the lowest ratio Fe/(f I0) at which the rod rests before every blow; infinite for
-/// e ≥ 1. e is the coefficient of restitution `cor`.
+/// Returns the smallest feed force ratio φ = Fe/(f I0) at which the rod rests on the rock before every blow:
+/// (1+e)/(1−e), with e = `cor`. Infinite for e ≥ 1.
 double restingFeed(double cor);
 
 /// Gap between bit and rock when the hammer strikes, if nothing damps the rebound.
@@ -130,30 +131,31 @@ struct GapAtBlow {
     UndampedMotion motion;
     /// Ratio φ = Fe/(f I0) of the effective feed force to the mean force of the blows.
     double feed = 0;
-    /// Number of round trips of a wave between two blows, n_b = 1/(2 T f).
+    /// Number n_b = 1/(2 T f) of round trips of a wave between two blows. T is the transit time of the rod, f
+    /// the blow frequency.
     double roundTrips = 0;
-    /// Gap y v0/f between bit and rock at the blow, in m, with the dimensionless gap y (T37); 0 unless the
-    /// rod bounces.
+    /// Gap between bit and rock when the hammer strikes, in m; 0 unless the rod bounces. It is y v0/f with
+    /// the dimensionless gap y (T37).
     double gap = 0;
-    /// Gap between bit and rock at the blow, in units of d0. For a uniform rod it is y n_b, with the gap y in
-    /// v0/f and n_b round trips between blows.
+    /// Gap between bit and rock when the hammer strikes, in units of d0 = 2 I0/Z. For a uniform rod it is y
+    /// n_b, with the gap y in v0/f and n_b = `roundTrips`.
     double inD0 = 0;
     bool operator==(const GapAtBlow&) const = default;
 };
 
-/// Returns the gap between bit and rock when the hammer strikes, for a coefficient of restitution and an
-/// undamped rebound. A drill string counts as a rigid body; `transferred` is the share of its momentum that
-/// the hammer transfers. Returns nullopt without an installed feed force, or if thrustProblem() gives a
-/// reason.
+/// Returns the gap between bit and rock when the hammer strikes, if the rod rebounds undamped with the
+/// coefficient of restitution `cor`. A drill string counts as a rigid body; `transferred` is the share of the
+/// hammer's momentum that it receives. Returns nullopt without an installed feed force, or if thrustProblem()
+/// gives a reason.
 std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred = 1);
 
 /// Required feed force of one case, computed with the coefficient of restitution e of that case. The members
 /// `margin` and `frequencyLimit` refer to the member `thrust`.
 struct ThrustNeed {
-    /// Whether the case was computed. Cases over all gaps are not computed for drill strings, whose
-    /// coefficient of restitution is not periodic over the gap.
+    /// Whether this case was computed; if not, the other members are meaningless. The two cases over all gaps
+    /// need ReboundsOverGaps, which are not computed for drill strings.
     bool known = true;
-    /// Coefficient of restitution e of the case, with its error.
+    /// Coefficient of restitution e for the rock and gap of this case, with its error.
     Estimate cor;
     /// Required feed force f I0 (1+e), in N: the mean force that balances blows which start at rest on the
     /// rock.
@@ -161,11 +163,11 @@ struct ThrustNeed {
     /// Feed force f I0 (1+2e), in N, with which an undamped rigid rod returns to the rock before the next
     /// blow.
     double thrustUndamped = 0;
-    /// Margin of the feed force: effective feed force over `thrust`, less 1; nothing without an installed
-    /// feed force.
+    /// Margin of the feed force, (effective feed force)/`thrust` − 1; nullopt without an installed feed
+    /// force.
     std::optional<double> margin;
-    /// Blow frequency, in Hz, up to which the effective feed force is at least `thrust`; nothing without an
-    /// installed feed force.
+    /// Largest blow frequency, in Hz, at which the effective feed force is still sufficient; the required
+    /// force `thrust` grows in proportion to the frequency. Nullopt without an installed feed force.
     std::optional<double> frequencyLimit;
     /// Gap between bit and rock when the hammer strikes, computed with the effective feed force and the
     /// coefficient of restitution `cor`. Empty if no installed feed force is given.
@@ -183,16 +185,17 @@ const ThrustNeed& largestOf(const ThrustNeeds& needs);
 enum class FeedState {
     /// Effective feed force below f I0, the mean force of the blows: the machine is pushed back.
     pushedBack,
-    /// Effective feed force above the mean force of the blows, but below the required feed force of this
-    /// blow.
+    /// Effective feed force at least the mean force of the blows, but below the required feed force of the
+    /// blow of the scenario.
     belowRequired,
-    /// Effective feed force sufficient for this blow, but not for the examined case with the largest required
-    /// feed force.
+    /// Effective feed force sufficient for the blow of the scenario, but not for the largest required feed
+    /// force of all computed cases (see ThrustCase).
     requiredAtThisGap,
-    /// Effective feed force sufficient for the examined case with the largest required feed force.
+    /// Effective feed force at least the largest required feed force of all computed cases (see ThrustCase).
+    /// The rod may still be off the rock at the next blow.
     requiredMet,
-    /// Effective feed force sufficient for all examined cases, and for the return of the rod to the rock
-    /// before the next blow.
+    /// Effective feed force sufficient for all computed cases (see ThrustCase), and for the return of the rod
+    /// to the rock before the next blow.
     returnMet,
     /// No rating, because waves of a blow are still present at the next one (n_b < 1).
     notApplicable,
@@ -217,7 +220,8 @@ struct FeedEstimate {
     /// Whether the coefficient of restitution repeats periodically as the gap between bit and rock grows, as
     /// for a uniform rod. Then the cases over all gaps can be computed.
     bool gapsHavePeriod = true;
-    /// Required feed forces of all cases; this blow and rigid rock are always computed.
+    /// Required feed forces of all cases. The forces for the blow of the scenario and for rigid rock are
+    /// always computed.
     ThrustNeeds needs;
 
     /// Returns the required feed force of one case.
@@ -226,42 +230,44 @@ struct FeedEstimate {
     const ThrustNeed& largest() const { return largestOf(needs); }
     /// Returns which computed case has the largest required feed force `thrust`.
     ThrustCase largestCase() const;
-    /// Returns whether all four cases are computed, including the two over all gaps between bit and rock.
+    /// Returns whether all four required feed forces are computed, including the two cases over all gaps
+    /// between bit and rock.
     bool isOfAllGaps() const;
     /// Returns the effective feed force Fe, in N; nothing if no installed feed force is given.
     std::optional<double> effective() const;
-    /// Returns Fe over the largest required feed force of the four cases, less 1; nothing if a case is not
-    /// computed or no installed feed force is given.
+    /// Returns the margin Fe/(largest required feed force of the four cases) − 1, with the effective feed
+    /// force Fe. Nullopt if a case is not computed or no installed feed force is given.
     std::optional<double> margin() const;
-    /// Returns the rating of the effective feed force. It is `notApplicable` if n_b < 1; otherwise empty if
-    /// no installed feed force is given.
+    /// Returns the rating of the effective feed force. It is `notApplicable` if n_b < 1, as the waves of one
+    /// blow then last until the next. Otherwise it is nullopt if no installed feed force is given.
     std::optional<FeedState> state() const;
-    /// Returns whether a warning is due: the machine is pushed back, or the feed force is below the required
-    /// one of this blow.
+    /// Returns whether the installed feed force is too small, so that a warning is due. The machine is then
+    /// pushed back, or the force is below the required one of the blow of the scenario.
     bool isTooLittle() const;
-    /// Returns the feed force to install, in N, for a required feed force `needed`: the part of it that the
-    /// weight along the hole does not provide; ≥ 0.
+    /// Returns the feed force to install, in N, so that feed and weight along the hole together give the
+    /// required feed force `needed`; ≥ 0.
     double thrustFor(double needed) const;
-    /// Returns the blow frequency, in Hz, up to which the effective feed force covers a required feed force.
-    /// `needed` is the required force at the present frequency, in N. Returns 0 without an effective feed
-    /// force towards the rock.
+    /// Returns the largest blow frequency, in Hz, for which the effective feed force is sufficient. `needed`
+    /// is the required feed force at the present frequency, in N; it grows in proportion to the frequency.
+    /// Returns 0 if no feed force is given, or if it does not press towards the rock.
     double frequencyFor(double needed) const;
     bool operator==(const FeedEstimate&) const = default;
 };
 
-/// Coefficients of restitution e of a uniform rod for all gaps between bit and rock. They repeat when the gap
-/// grows by one period.
+/// Two coefficients of restitution e that summarise all gaps between bit and rock, for a uniform rod. e
+/// repeats when the gap grows by one period, so one period covers all gaps.
 struct ReboundsOverGaps {
-    /// Coefficient of restitution that is not exceeded for 95 % of all gaps between bit and rock.
+    /// 95 % quantile of the coefficient of restitution over all gaps between bit and rock, on the rock of the
+    /// scenario.
     Estimate quantile;
-    /// Largest coefficient of restitution for any gap between bit and rock, on elastic rock (γ = 1).
+    /// Largest coefficient of restitution over all gaps between bit and rock, on elastic rock (γ = 1).
     Estimate worst;
 };
 
-/// Returns the estimates of the required feed force from the coefficient of restitution `cor` of a blow.
-/// `transferred` is the share of its momentum that the hammer of a drill string transfers. If `overGaps` is
-/// given, the cases over all gaps between bit and rock are included. Returns nullopt if thrustProblem() gives
-/// a reason.
+/// Returns the required feed forces that follow from the coefficient of restitution `cor` of a blow.
+/// `transferred` is the share of the hammer's momentum that a drill string receives. If `overGaps` is given,
+/// the cases over all gaps between bit and rock are included. Returns nullopt if thrustProblem() gives a
+/// reason.
 std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimate& cor,
                                          double transferred = 1,
                                          const std::optional<ReboundsOverGaps>& overGaps = {});

@@ -56,14 +56,15 @@ struct ImpactSummary {
     /// Work ratio W/W0 [paper (2)] of a prescribed force: the hammer work W over W0 = m v0²/2, with the mass
     /// m of the rod and v0 = I0/m. For a hammer, the share of its energy that it transfers.
     double workRatio = 0;
-    /// Shares of the hammer work in rock, rebound and waves.
+    /// Shares of the hammer work in rock, rebound and waves after the blow.
     EnergyLedger energy;
     /// Error of the momentum balance, as a share of the impulse I0 of the hammer force, or of the momentum p0
     /// of a hammer.
     double momentumResidual = 0;
     /// Upper bound of the absolute error of the coefficient of restitution `cor`.
     double corError = 0;
-    /// Factor by which later contacts may amplify rounding errors of earlier ones (Impact::growth).
+    /// Factor by which later contacts of bit and rock may amplify rounding errors of earlier ones; ≥ 1
+    /// (Impact::growth).
     double growth = 1;
     /// Number of separate contacts of bit and rock.
     int contacts = 0;
@@ -76,14 +77,15 @@ struct ImpactSummary {
     double transferred = 1;
     /// Work A(Fm) on the rock up to the largest force, as a share of the hammer work.
     double loadingWork = 0;
-    /// Stated error of the energy shares, such as energy.rockWork; 0 for methods without time steps (cells).
+    /// Estimated error of the energy shares of a drill string, such as energy.rockWork. It is 0 for a uniform
+    /// rod, for which this error is not estimated.
     double efficiencyError = 0;
     /// Stated error of the largest stresses of a string, as a share of each stress.
     double stressError = 0;
 
     // Energies are in units of W, or of E0 for a hammer; momenta in units of I0, or of p0 for a hammer
-    /// Momentum of the string after the blow, positive towards the rock, in units of I0, or of the hammer's
-    /// momentum p0.
+    /// Momentum of rod or string after the blow, positive towards the rock, in units of I0, or of the
+    /// momentum p0 of a hammer.
     double stringMomentum = 0;
     /// Energy of string or rod after the blow, as a share of the hammer work W (drill string: hammer energy
     /// E0).
@@ -105,7 +107,7 @@ struct ImpactSummary {
     double faceEnergy = 0;
     /// Time at which hammer and string first separate, in units of t0; NaN if they do not.
     double faceSeparationTime = Impact::never;
-    /// Time to which a drill string was computed, in units of t0.
+    /// Time after the start of the blow at which the computation of a drill string ended, in units of t0.
     double endTime = 0;
 
     /// Largest stresses over all sections of hammer and string, in units of F0/A of the rod, if requested.
@@ -120,16 +122,17 @@ struct ImpactSummary {
     void setForces(const RodForces& forces);
 };
 
-/// Returns the numbers of an impact solved with Detail::ledger or more. With less detail, only the numbers of
-/// that detail are valid; the others are NaN or zero. With Detail::cor these are `cor`, `impulse` and
-/// `corError`.
+/// Returns the results of a blow solved with Detail::ledger or more. With less detail, only the results that
+/// this detail includes are valid; the others are NaN or zero. With Detail::cor these are `cor`, `impulse`
+/// and `corError`.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
 /// Returns the energy to which all energy shares of the summary refer, in units of W0 = m v0²/2. It is the
 /// work of a prescribed force, or 1 for a hammer, whose energy is W0.
 double drivenEnergy(const ImpactSummary& summary, const Scenario& scenario);
 
-/// Choice of the numbers that are computed from the waves; each takes additional time.
+/// Choice of optional results that need the histories of the waves. Each result takes additional computing
+/// time.
 struct WaveNumbers {
     /// Whether the peaks of the impact force are counted, which needs the histories of the waves.
     bool forcePeaks = true;
@@ -137,21 +140,22 @@ struct WaveNumbers {
     RodForceChoice forces = {};
 };
 
-/// Returns the numbers of an impact. If it was solved with Detail::histories, they include the requested
-/// numbers of the waves: the peaks of the impact force and the largest forces in the rod.
+/// Returns the results of a solved blow. After solving with Detail::histories, they include those requested
+/// by `wanted`: number of peaks of the impact force, and largest forces in the rod.
 ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem,
                                  const WaveNumbers& wanted = {});
 
 // Numbers of the waves of a blow in limited memory, however long its histories are
 
-/// Returns whether the histories of a blow are too long to be kept. `solve` has to solve the blow with the
-/// exact solver, keep the solution and return it. It is called with Detail::cor, which takes a few percent of
-/// the time of histories. If the histories are too long, it is called again with Detail::ledger.
+/// Returns whether the histories of a blow are too long to be kept; false if it cannot be solved. `solve` has
+/// to solve the blow with the exact solver, keep the solution and return it. It is called with Detail::cor,
+/// which takes a few percent of the time of histories. If the histories are too long, it is called again with
+/// Detail::ledger, for summarizeInPassing().
 bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
 
-/// Returns the numbers of a blow whose histories are too long to be kept. The blow is solved a second time,
-/// and its waves are evaluated during the computation; results are those of summarizeWithWaves(). After a
-/// stop request the numbers of the waves are missing.
+/// Returns the results of a blow whose histories are too long to be kept. The blow is solved a second time,
+/// and its waves are evaluated during the computation. The results are as those of summarizeWithWaves().
+/// After a stop request, the results requested by `wanted` are missing.
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
                                  const std::stop_token& stop);
 

@@ -42,10 +42,10 @@ Message methodProblem(std::string_view name);
 /// Name of the method for drill strings in results; drill strings have no other method.
 inline constexpr std::string_view methodOfStrings = "polynomial_cells";
 
-/// Returns the number of segments of the lattice method that a text gives. Returns nothing if it is not an
-/// allowed whole number, for which segmentsProblem() gives the reason.
+/// Returns the number of segments of the rod that a text gives for the lattice method. Returns nullopt if the
+/// text is not an allowed whole number; segmentsProblem() then gives the reason.
 std::optional<int> segmentsIn(std::string_view text);
-/// Returns the message that states the allowed range of the number of segments.
+/// Returns the message that states how many segments the lattice method allows for the rod.
 Message segmentsProblem();
 
 /// Method of solving a blow, with its settings.
@@ -55,7 +55,8 @@ struct MethodChoice {
     bool operator==(const MethodChoice&) const = default;
 };
 
-/// Returns method and settings in words, such as "method exact" or "method lattice, 1000 segments".
+/// Returns method and settings as a message to the user, such as "method exact" or "method lattice, 1000
+/// segments".
 Message methodMessage(const MethodChoice& choice);
 /// Returns method and settings in English words, as written in files.
 std::string describe(const MethodChoice& choice);
@@ -64,8 +65,8 @@ std::string describe(const MethodChoice& choice);
 /// solve it.
 Message methodRefusal(Method method, const Problem& problem);
 
-/// Work to compute a wave piece with the exact solver, in units of the work to compute a cell (time step) of
-/// a drill string.
+/// Computing time of one wave piece of the exact solver, in units of that of one cell (time step) of a drill
+/// string. It converts a limit for one solver into that for the other.
 inline constexpr long cellsOfPiece = 30;
 
 /// Limits of the work of one blow. A blow that needs more is not solved.
@@ -90,12 +91,12 @@ class MethodSolver {
     Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
                  const std::stop_token& stop = {});
 
-    /// Makes the exact solver omit the sums of Detail::ledger in all later blows with Detail::histories. They
-    /// would double the computing time.
+    /// Makes the exact solver omit the check of the momentum and energy balances (sums of Detail::ledger) in
+    /// all later blows with Detail::histories. The check would double the computing time.
     void leaveOutLedger() { m_exact.leaveOutLedger(); }
 
-    /// Returns the solution of a blow on a drill string. The maximum work in `settings` is replaced by that
-    /// of this solver.
+    /// Returns the solution of a blow on a drill string. The solver uses its own work limit
+    /// (WorkLimits::cells), not that of `settings`.
     ChainSolution solveString(const Scenario& scenario, NetworkSettings settings,
                               const std::stop_token& stop = {});
     /// Returns the maximum work for a drill string, in cells (time steps) times nodes (ends of sections).

@@ -21,13 +21,15 @@ namespace drillwave {
 enum class Measure {
     /// Plain number, without a unit.
     number,
-    /// Error; a number of which only the order of magnitude matters.
+    /// Error, or bound of an error, without a unit. Only its order of magnitude matters, so few digits are
+    /// shown.
     error,
-    /// Energy as a share of W0 = m v0²/2. In SI it remains this share.
+    /// Energy as a share of W0 = m v0²/2, with the mass m of rod or hammer. With SI units, the output still
+    /// shows this share.
     work,
-    /// Share of the hammer work W. In SI it remains this share.
+    /// Share of the hammer work W. With SI units, the output still shows this share.
     share,
-    /// Share of the hammer work W; in SI an energy in J.
+    /// Energy as a share of the hammer work W. With SI units, the output shows the energy in J.
     energy,
     /// Time, in units of t0, the duration of the hammer force.
     time,
@@ -41,18 +43,18 @@ enum class Measure {
     stress,
     /// Velocity, in units of v0: velocity of the hammer, or I0 over the mass of the rod.
     velocity,
-    /// Force in N; there is no dimensionless number.
+    /// Force in N, of an output that has no dimensionless value.
     newton,
-    /// Power in W; there is no dimensionless number.
+    /// Power in W, of an output that has no dimensionless value.
     watt,
-    /// Velocity in m/s; there is no dimensionless number.
+    /// Velocity in m/s, of an output that has no dimensionless value.
     speed,
 };
 
 /// Heading under which the window lists an output; `none` if it does not list it.
 enum class OutputGroup { none, work, share, penetration, rebound, stress, contact };
 
-/// Kind of blow for which an output is defined, whether or not its value is known.
+/// Kind of blow for which an output is defined. The value of a defined output may still be unknown.
 enum class OutputOf { anyBlow, uniformRod, drillString, hammer, elasticFaces };
 /// Returns whether the scenario describes a blow of the kind `which`, such as one on a drill string.
 bool concerns(OutputOf which, const Scenario& scenario);
@@ -79,7 +81,8 @@ struct OutputSource {
     const ImpactSummary& summary;
     /// Scenario of the blow.
     const Scenario& scenario;
-    /// Margin of the feed force, from a study of all gaps; nothing if there was no such study.
+    /// Margin of the feed force: (effective feed force)/(largest required feed force) − 1. It needs a study
+    /// of all gaps between bit and rock; nullopt if there was no such study.
     std::optional<double> thrustMargin = {};
     /// Statistics of many blows; null if no sequence of blows was computed.
     const DrillNumbers* drill = nullptr;
@@ -93,20 +96,21 @@ struct Output {
     std::string_view meaning;
     /// Unit, which decides how the value is shown.
     Measure measure;
-    /// Least detail with which the solver must be called for this output.
+    /// Least Detail with which a blow must be solved to get this output.
     Detail detail;
-    /// Function that returns the value in units of `measure`; nullopt if it needs waves that were not
-    /// computed, or if problem() gives a reason.
+    /// Function that returns the value of the output, in units of `measure`. It returns nullopt if the value
+    /// needs waves that were not computed, or if problem() gives a reason.
     std::optional<double> (*number)(const OutputSource&);
     /// Title in reports, such as "peak force".
     std::string_view title;
-    /// Kind of blow for which the output is defined, such as drill strings only.
+    /// Kind of blow for which the output is defined, for example only blows on a drill string.
     OutputOf of = OutputOf::anyBlow;
     /// Heading under which the window lists the output.
     OutputGroup group = OutputGroup::none;
-    /// Description in the window, without a full stop.
+    /// Description of the output in the window, without a full stop.
     std::string_view note = {};
-    /// Part of the hammer work that this output states, or to which it belongs; empty for other outputs.
+    /// Part of the energy balance that the output describes, for example EnergyPart::losses for the energy
+    /// lost in joints. Nullopt for outputs that are not a part of the balance.
     std::optional<EnergyPart> part = {};
     /// Kind of load (compression or tension, during or after the blow) if the output is a largest force or
     /// stress; otherwise empty.
@@ -116,15 +120,15 @@ struct Output {
     Message (*lack)(const Scenario&) = nullptr;
     /// Title in the window if it differs from `title`; otherwise empty.
     std::string_view shortTitle = {};
-    /// Sorting key of the output within its group in the window, ascending. Final values have lower keys than
-    /// largest values during the blow.
+    /// Position of the output within its group in the window: outputs with a lower number come first. Final
+    /// values have lower numbers than largest values during the blow.
     int order = 0;
 
-    /// Returns the reason why a scenario, for which the output is defined, has no value, and the remedy;
-    /// empty if it has a value.
+    /// Returns the reason why the output has no value for a scenario, and the remedy; empty if it has a
+    /// value. The output may be undefined for this kind of blow, or an input may be missing.
     Message problem(const Scenario& scenario) const;
-    /// Returns the value in units of `measure`; nothing if it needs waves that were not computed, or if
-    /// problem() gives a reason.
+    /// Returns the value of the output for a blow, in units of `measure`. Returns nullopt if it needs waves
+    /// that were not computed, or if problem() gives a reason.
     std::optional<double> value(const OutputSource& source) const {
         return concerns(source.scenario) ? number(source) : std::nullopt;
     }
@@ -135,10 +139,11 @@ struct Output {
     std::string_view label() const;
     /// Returns whether the output has a value in SI units only, and no dimensionless one.
     bool isOnlySi() const;
-    /// Returns whether the value requires a study over all gaps between bit and rock, which supplies
-    /// OutputSource::thrustMargin.
+    /// Returns whether the value requires a study of all gaps between bit and rock. Then the caller has to
+    /// set OutputSource::thrustMargin from this study.
     bool needsThrustStudy() const;
-    /// Returns whether the output requires OutputSource::drill; true for all drillOutputs().
+    /// Returns whether the output is a statistic of a sequence of blows (OutputSource::drill), as all
+    /// drillOutputs() are.
     bool needsDrilling() const;
     /// Returns the physical quantity of the value; Quantity::ratio for shares of the energy, and for numbers
     /// that are the same in SI.
@@ -146,8 +151,8 @@ struct Output {
     /// Returns the physical quantity of the value after conversion by inSi(). It is an energy for an energy
     /// share that inSi() converts to J, otherwise the same as quantity().
     Quantity siQuantity() const;
-    /// Returns the factor by which the dimensionless value is multiplied to give SI units; 1 for a share of
-    /// the energy.
+    /// Returns the factor from the dimensionless value of the output to SI units; 1 for a share of the
+    /// energy.
     double scale(const Scales& scales) const;
     /// Returns the value converted to SI. A share of the energy becomes J, with the hammer work in `source`.
     double inSi(double value, const OutputSource& source, const Scales& scales) const;
@@ -160,12 +165,12 @@ std::span<const Output> outputs();
 /// They require a sequence of blows for each case, so they are computed only when requested by name.
 std::span<const Output> drillOutputs();
 
-/// Returns which sequences of blows must be computed for an output of drillOutputs().
+/// Returns which sequences of blows have to be computed to get the value of `output`, one of drillOutputs().
 RequiredMarches drillWishesOf(const Output& output);
 
-/// Returns the reason why a blow solved with `detail` has no valid result: "max_penetration is beyond the
-/// range of …" if an output, or its value in SI, is infinite or NaN. Returns an empty message otherwise.
-/// Times of events that never happen may be NaN.
+/// Returns the reason why the result of a blow solved with `detail` is invalid, such as "max_penetration is
+/// beyond the range of …". It is invalid if an output, or its value in SI, is infinite or NaN. Times of
+/// events that never happen may be NaN. Returns an empty message if the result is valid.
 Message overflowProblem(const OutputSource& source, const Scales& scales, Detail detail);
 /// Returns the reason why a value of an output is invalid because it is infinite or NaN; empty if it is
 /// valid. The time of an event that never happens may be NaN.

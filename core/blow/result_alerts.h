@@ -19,8 +19,8 @@ namespace drillwave {
 /// it.
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary);
 
-/// Returns whether stressAlerts() has anything to check for a rod: it has a yield or fatigue strength. Then
-/// the largest forces must be computed.
+/// Returns whether a rod has a yield or fatigue strength. Then its largest forces must be computed, so that
+/// stressAlerts() can compare them with the strength.
 bool hasStrength(const Rod& rod);
 
 }  // namespace drillwave

@@ -24,7 +24,8 @@ struct StressPeak {
     double time = 0;
 };
 
-/// Largest compressive and tensile stress of a section, during the blow and after it as in SectionForces.
+/// Largest compressive and tensile stress of a section during the blow, and those of the residual waves after
+/// it.
 using SectionStress = OfLoads<StressPeak>;
 /// Returns the largest stresses of all sections in SI, from the rear end of the hammer on; empty unless the
 /// largest forces were requested.
@@ -41,13 +42,14 @@ struct StringPeak {
 /// Requires at least one section.
 StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 
-/// Writes the largest stresses over all sections, and their stated error, into the summary. Does nothing if
-/// the solver was not asked for the largest forces. `pieces` are the numbers of uniform pieces that replace
-/// each section, as in Problem::pieces.
+/// Sets the largest stresses over all sections of a drill string in `summary`, and their estimated error.
+/// Does nothing if the solver was not asked for the largest forces. `pieces` gives for each section the
+/// number of uniform pieces that replace it, as in Problem::pieces.
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
                  const std::vector<int>& pieces);
 
-/// Returns whether the blow was computed beyond its end, so that stresses of the residual waves are known.
+/// Returns whether a drill string was computed beyond the end of the blow, so that the stresses of the
+/// residual waves are known.
 bool hasStressesAfter(const Impact& impact);
 
 /// Returns the alerts about strengths; none for sections without a strength. `stress_above_yield`: the
@@ -56,9 +58,9 @@ bool hasStressesAfter(const Impact& impact);
 /// information if only residual waves exceed it. Each alert has position and time.
 std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses);
 
-/// Returns the alerts about the solution of a drill string. They report rounded lengths, waves taken from a
-/// coarser computation, and a blow that was not over when the computation ended. They also report stresses
-/// that were not computed because they would take too long.
+/// Returns alerts that the solution of a drill string is inexact or incomplete: section lengths rounded to
+/// time steps, waves taken from a coarser computation, or a blow that was not over when the computation
+/// ended. One alert says that stresses were omitted because they would take too long.
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact);
 
 // Stress over strength of the sections, for the largest stresses during a blow
@@ -91,8 +93,8 @@ std::optional<StrengthUse> strengthUse(const SectionStress& stress,
 std::vector<std::optional<StrengthUse>> strengthUses(const Scenario& scenario,
                                                      const std::vector<SectionStress>& stresses);
 
-/// Returns the index of the section with the largest stress over strength, the first one if several are
-/// equal; nothing if no section has a strength.
+/// Returns the index of the section with the largest ratio of stress to strength, the first one if several
+/// are equal. Nullopt if no section has a strength.
 std::optional<std::size_t> mostUsedSection(const std::vector<std::optional<StrengthUse>>& uses);
 
 }  // namespace drillwave

@@ -15,51 +15,51 @@ namespace drillwave {
 
 // Change of the coefficient of restitution of a measured blow if only some of its samples are used
 
-/// Maximum number of samples of a measured blow that are used; also the longest table that a scenario may
-/// have.
+/// Maximum number of samples of a measured blow from which the hammer force is made. It is also the largest
+/// number of points of a force table in a scenario.
 inline constexpr std::size_t mostSamplesFollowed = 100'000;
 
-/// Effect on the coefficient of restitution of using only some of the samples of a measured blow.
+/// Coefficient of restitution of a measured blow if only some of its samples are used, and its error.
 struct ThinningEffect {
     /// Coefficient of restitution e if only the selected samples are used.
     double cor = 0;
-    /// Change of the coefficient of restitution: `cor` less the value with all samples, or with
-    /// mostSamplesFollowed of them if there are more.
+    /// Change of the coefficient of restitution: `cor` minus its value with all samples. If there are more
+    /// than mostSamplesFollowed samples, that value uses only so many of them.
     double change = 0;
     /// Upper bound of the absolute numerical error of the difference `change`.
     double error = 0;
 };
 
-/// Returns the effect of leaving out samples of a measured blow on the coefficient of restitution, with the
-/// rod and rock of a scenario. `recipe` makes the hammer force from the samples; `kept` has the points that
-/// are used. Returns nothing for a drill string, if no sample was left out, or after a stop request. It also
-/// returns nothing if the blow with all samples, or with those of `kept`, is invalid or cannot be solved.
+/// Returns how the coefficient of restitution of a measured blow changes if samples are left out. Rod and
+/// rock are those of the scenario. `recipe` describes how the hammer force is made from the samples; `kept`
+/// is the force with fewer points. Returns nullopt for a drill string, if no sample was left out, or after a
+/// stop request. Also returns nullopt if one of the two blows is invalid or cannot be solved.
 std::optional<ThinningEffect> thinningEffect(const Scenario& scenario, const Samples& samples,
                                              const SignalRecipe& recipe, const ShapedSignal& kept,
                                              const std::stop_token& stop = {});
 
-/// Largest change of the coefficient of restitution, and largest relative change of the impulse, that leaving
-/// out samples may cause.
+/// Limit of the errors that thinnedBlow() may cause by leaving out samples: change of the coefficient of
+/// restitution, and relative change of the impulse.
 inline constexpr double thinningError = 1e-4;
 
 /// Measured hammer force with reduced points, and the effect of the reduction.
 struct ThinnedBlow {
-    /// Hammer force made from the points that are used.
+    /// Hammer force made from the samples that were kept.
     ShapedSignal signal;
     /// Magnitude of the relative change of the impulse, compared with all samples.
     double impulseChange = 0;
-    /// Change of the coefficient of restitution compared with all samples; nothing if it could not be
-    /// computed. For a drill string, it is that of its uniform rod.
+    /// Change of the coefficient of restitution compared with all samples; nullopt if it could not be
+    /// computed. For a drill string, it is the change for a similar uniform rod, see uniformRodOf().
     std::optional<double> corChange = {};
     /// Whether samples of the measured force were left out.
     bool isThinned = false;
 };
 
-/// Returns the hammer force made from few of the samples, at most recipe.points. It uses the fewest points
-/// tried for which coefficient of restitution and impulse change by no more than `thinningError`. If no
-/// number of points is sufficient, it uses recipe.points, or all samples if these are fewer. For a drill
-/// string, the coefficient is that of its uniformRodOf(). The search takes time, because many blows are
-/// solved. Requires samples without a problem.
+/// Returns the hammer force made from as few samples as possible, at most recipe.points. Coefficient of
+/// restitution and impulse change by at most `thinningError`, if recipe.points are enough for this. Otherwise
+/// it has recipe.points, or all samples if these are fewer. For a drill string, the coefficient is that of a
+/// similar uniform rod, see uniformRodOf(). The search solves many blows, which takes time. Requires samples
+/// without a problem.
 ThinnedBlow thinnedBlow(const Scenario& scenario, const Samples& samples, const SignalRecipe& recipe,
                         const std::stop_token& stop = {});
 

@@ -52,10 +52,10 @@ struct ContactRates {
 /// already be set. Requires a valid scenario.
 void setLines(BitRockLaw& law, const Scenario& scenario);
 
-/// Replaces the loading curve by straight lines near F = βU (U/U1)^(p − 1), with U1 = `reference` > 0 in I0/Z
-/// and 0.3 ≤ p ≤ 3 (theory §1.1). Nodes are at U1 2^(i/4), i = −32 … 31; the first line begins at zero, the
-/// last one has no end. No line is steeper than β/γ. The relative error of the force is at most 0.0038
-/// |p (p − 1)|, and zero at U1. For p = 1 the law is bilinear.
+/// Sets the loading curve to a power law of exponent p = `exponent`, F = βU (U/U1)^(p − 1), approximated by
+/// straight lines (theory §1.1). U1 = `reference` > 0 is in I0/Z; 0.3 ≤ p ≤ 3. Nodes are at U1 2^(i/4), i =
+/// −32 … 31; the first line begins at zero, the last one has no end. No line is steeper than β/γ. The
+/// relative error of the force is at most 0.0038 |p (p − 1)|, and zero at U1. For p = 1 the law is bilinear.
 void setPowerLines(BitRockLaw& law, double exponent, double reference);
 
 }  // namespace drillwave

@@ -16,7 +16,7 @@ namespace drillwave {
 /// Unit of penetrations in this law, I0/Z, as a multiple of the unit in results, d0 = 2 I0/Z (T7).
 inline constexpr double lawUnitOfPenetration = 0.5;
 
-/// Line of the bit–rock law on which the contact force changes.
+/// State of the contact: apart, or the line of the bit–rock law on which the force changes.
 enum class ContactLine {
     apart,    ///< bit and rock are apart, the force is zero
     primary,  ///< first loading of the rock, with the slope β, or s_j β above corner j of the loading curve
@@ -50,9 +50,9 @@ class ContactLaw {
             addLines(law);
     }
 
-    /// Returns the law with every slope limited to `steepest` > 0, in units of k0 = Z/t0. The exact solver
-    /// uses it for very stiff rock, whose force would change within the rounding error of time. Use only the
-    /// slopes of the result: its penetrations do not match β.
+    /// Returns the law with every slope limited to `steepest` > 0, in units of k0 = Z/t0. The force of
+    /// stiffer rock would change faster than the exact solver can resolve in time. Use only the slopes of the
+    /// result: its penetrations do not match β.
     ContactLaw limitedTo(Real steepest) const {
         ContactLaw limited = *this;
         if (m_slopes.elastic <= steepest) return limited;
@@ -103,7 +103,7 @@ class ContactLaw {
         return line == ContactLine::primary ? m_slopes.primary : m_slopes.elastic;
     }
     /// Returns the index, from 0, of the straight line of the loading curve on which the largest force so far
-    /// lies. At a corner it is the line above.
+    /// lies. At a corner, it is the index of the line that starts there.
     std::size_t loadingLine() const { return m_line; }
     /// Returns the slope of the loading line with this index, in units of k0 = Z/t0, whether the force has
     /// reached it or not. Returns 0 if there is no such line.
@@ -114,8 +114,8 @@ class ContactLaw {
     bool hasCorner() const { return m_cornerForce < std::numeric_limits<Real>::infinity(); }
     /// Returns the force at which the current loading line ends, in units of F0; infinity if it does not end.
     Real cornerForce() const { return m_cornerForce; }
-    /// Passes the next corner of the loading curve: loading continues on the line above it. Requires
-    /// hasCorner().
+    /// Moves the largest force so far to the next corner of the loading curve, from which loading continues
+    /// on the following line. Requires hasCorner().
     void passCorner() {
         assert(hasCorner());
         m_from = (*m_lines)[++m_line];
@@ -184,8 +184,8 @@ class ContactLaw {
             return m_largest * residualPenetration() / 2;
         return loadingWork() - m_gamma * m_largest * m_largest / (2 * m_beta);
     }
-    /// Returns the work ∫F dU on the rock from the first contact until the force is F ≤ Fm, in units of
-    /// I0²/(Z t0).
+    /// Returns the work ∫F dU done on the rock since the first contact. `force` ≤ Fm is the present force on
+    /// the unloading line, in units of F0. The work is in units of I0²/(Z t0).
     Real worked(Real force) const { return kept() + givenBack(force); }
 
   private:
@@ -195,7 +195,8 @@ class ContactLaw {
         Real slope = 0;
     };
 
-    /// Lines of the loading curve, the first of which begins at zero.
+    /// List of the straight lines of the loading curve, by increasing force. add() computes penetration and
+    /// work at the start of each line; the first line starts at zero.
     struct LineList {
         std::vector<Line> lines;
         void add(Real force, Real slope) {
@@ -248,8 +249,8 @@ class ContactLaw {
     std::size_t m_line = 0;    ///< index of the loading line on which the largest force so far is
     Line m_from;               ///< start of that loading line
     bool m_isBilinear = true;  ///< whether every loading line that the force has reached has the slope β
-    /// Whether every loading line that the force has reached has the slope β/γ of the elastic line, so that
-    /// no energy is absorbed.
+    /// Whether loading and unloading coincide, so that no energy is absorbed. This holds if every loading
+    /// line that the force has reached has the slope β/γ of the elastic line.
     bool m_isElastic;
     std::shared_ptr<const std::vector<Line>> m_lines;  ///< loading lines; nullptr for a law without corners
 };

@@ -17,7 +17,7 @@ namespace drillwave {
 /// g. F is chosen so that F·dU is the work of the law over that increment (T32),
 ///
 ///     F dU = ∫ F(U) dU,
-///     F(U) of slope s_j β on the loading curve, β/γ below the largest force so far, 0 apart,
+///     F(U) of slope s_j β on the loading curve, β/γ below the largest force so far, 0 without contact,
 ///
 /// even if the increment passes corners. On one line of slope a this gives F = f + (2g − f) q with
 /// q = (aΔ/2)/(1 + aΔ/2) (T33). Here f is the force at the beginning of the step; there is no overshoot for
@@ -35,9 +35,9 @@ class StepLaw {
         corner = 16,         ///< the force passed one or more corners of the loading curve
     };
 
-    /// Creates the contact of a bit with intact rock. The time step is > 0 (in t0), the initial gap ≥ 0 (in
-    /// units of I0/Z). While no wave arrives, a contact force up to `negligible` ≥ 0 (in units of F0) is set
-    /// to zero.
+    /// Creates the contact of a bit with intact rock. `step` > 0 is the time step in t0, `gap` ≥ 0 the
+    /// initial gap in I0/Z. While no wave arrives, a contact force up to `negligible` ≥ 0 (in units of F0) is
+    /// set to zero.
     StepLaw(const ContactLaw<>& law, double step, double gap, double negligible);
 
     /// Advances by one time step with the mean incident wave g, in units of F0. Returns the contact force

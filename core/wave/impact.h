@@ -49,11 +49,12 @@ enum class Outcome {
 /// Reason why a blow is not solved, for decisions by the program. `Impact::reason` holds the text for the
 /// user.
 enum class Hindrance {
-    /// Any other reason why the blow is not solved, in the blow, the method or the numbers.
+    /// Any reason other than the work limit or too long histories, for example rounding or a stop request.
     other,
-    /// The blow needs more work than the work limit permits.
+    /// The blow needs more computing work than the work limit permits.
     workLimit,
-    /// The histories are too long to be kept. The blow may be solvable with less detail.
+    /// The histories of the waves at the bit are too long to be kept. The blow may be solvable with less
+    /// Detail, without them.
     histories,
 };
 
@@ -71,17 +72,18 @@ enum class ContactEvent {
     corner,
 };
 
-/// Contact event of bit and rock, with its time t/t0 since the start of the blow. In the reference case (a
-/// rod that arrives as a rigid body) the time is counted from first contact.
+/// Contact event of bit and rock, such as first contact or separation, with its time t/t0 since the start of
+/// the blow. In the reference case (a rod that arrives as a rigid body) the time is counted from first
+/// contact.
 struct ImpactEvent {
     ContactEvent kind;
     double time;
     bool operator==(const ImpactEvent&) const = default;
 };
 
-/// Periods of free flight that were left out of the recording, because nothing happens in them. From `start`
-/// on, the incident wave repeats with period 2τ for `duration`, a multiple of 2τ. Both are in units of t0,
-/// with `start` counted from the first wave at the bit.
+/// Whole periods of free flight that were left out of the recording, because nothing happens in them. From
+/// `start` on, the incident wave repeats with period 2τ for `duration`, a multiple of 2τ. Both are in units
+/// of t0, with `start` counted from the arrival of the first wave at the bit.
 struct PeriodSkip {
     double start;
     double duration;
@@ -106,8 +108,9 @@ struct Impact {
     /// Returns whether the blow is solved, so that its numbers are valid.
     bool isSolved() const { return outcome != Outcome::notSolved; }
 
-    /// Coefficient of restitution e. For a uniform rod, e = −pf/p0 = −1 + ∫F ds [paper (10)]. For a string it
-    /// is −pf/∫P dt with the force P of the hammer face, and −1 + ∫F/∫P where joints or sections lose energy.
+    /// Coefficient of restitution e. For a uniform rod, e = −pf/p0 = −1 + ∫F ds [paper (10)], with the
+    /// momentum p0 that the hammer transfers and the final momentum pf of the rod. For a string it is −pf/∫P
+    /// dt with the force P of the hammer face, and −1 + ∫F/∫P if joints or sections lose energy.
     double cor = 0;
     /// Upper bound of the absolute error of `cor`.
     double corError = 0;
@@ -140,8 +143,8 @@ struct Impact {
     /// integral of the incident wave g over the last round trip, independent of `impulse`. For a uniform rod
     /// it equals −e, with the coefficient of restitution e.
     double finalMomentum = 0;
-    /// Energy of rod or string after the blow [I0²/(Z t0)]: the integral ∫g² of the incident wave over the
-    /// last period.
+    /// Energy of rod or string after the blow [I0²/(Z t0)]: the integral ∫g² of the incident wave g over the
+    /// last round trip.
     double finalEnergy = 0;
 
     // The members from here to efficiencyError keep their default values for a prescribed force on a uniform
@@ -164,19 +167,19 @@ struct Impact {
     // The members from here to wavesDifference are used for drill strings only.
     /// Time t/t0 to which the blow was computed.
     double endTime = 0;
-    /// Time t/t0 that separates the largest forces during the blow from those after it; infinite if bit and
+    /// Time t/t0 after which forces count as those of the residual waves after the blow; infinite if bit and
     /// rock do not separate.
     double endOfBlow = std::numeric_limits<double>::infinity();
     /// Largest forces of every section of hammer and string; empty unless requested and within the work
     /// limit.
     std::vector<SectionForces> sections;
-    /// Stated error of the four largest forces of each section, relative to each force.
+    /// Stated relative error of the largest forces in `sections`.
     double forcesError = 0;
     /// Whether the largest forces were requested but left out because they need too much work.
     bool leftOutForces = false;
     /// Time t/t0 of the largest impact force; NaN if there is none.
     double peakTime = never;
-    /// Time t/t0 to which the largest forces were searched: at most one round trip of the string after
+    /// Time t/t0 to which the largest forces were searched: usually one round trip of the string after
     /// endOfBlow.
     double forcesEnd = 0;
     /// Energy reflected by each joint of two sections when a wave arrives from the hammer, as a share of
@@ -184,9 +187,9 @@ struct Impact {
     std::vector<double> jointReflection;
     /// Waves in all sections over time; null unless requested and small enough to be kept.
     std::shared_ptr<const StringWaves> waves;
-    /// Difference between this result and that of the coarser computation from which `waves` are taken: the
-    /// larger of the differences in coefficient of restitution and in efficiency. Empty if `waves` belong to
-    /// this computation.
+    /// Difference between this result and a coarser computation of the same blow, from which `waves` were
+    /// copied. It is the larger of the differences in coefficient of restitution and in efficiency. Empty if
+    /// `waves` were recorded in this computation.
     std::optional<double> wavesDifference;
 
     /// Replaces `waves` by the waves of a coarser computation of the same blow, if those of this one need too
@@ -207,13 +210,13 @@ struct Impact {
     double frontArrival = 0;
     /// Round-trip time 2τ of a wave in the rod, in units of t0.
     double roundTrip = 0;
-    /// Incident wave at the bit, g(s) = −Np [F0], over recorded time. To read it for a uniform rod, use
-    /// incidentWave(), which adds the periods that were left out.
+    /// Incident wave at the bit, g(s) = −Np [F0], over recorded time, without the periods in `skips`. For a
+    /// uniform rod, read it with incidentWave(), which adds these periods.
     PiecewisePolynomial incident;
-    /// Impact force F(s) [F0], on the same pieces as `incident`. To read it for a uniform rod, use
-    /// impactForce().
+    /// Impact force F(s) [F0], on the same polynomial pieces as `incident`. For a uniform rod, read it with
+    /// impactForce(), which adds the periods in `skips`.
     PiecewisePolynomial force;
-    /// Periods of free flight that are missing in the recorded time.
+    /// Periods of free flight that the recording leaves out.
     std::vector<PeriodSkip> skips;
 
     // The members from here to sharedCell describe the work and the discretisation.
@@ -221,31 +224,33 @@ struct Impact {
     long pieces = 0;
     /// Number of separate contacts of bit and rock.
     int contacts = 0;
-    /// Number of searches for contact events that bounds could not exclude; 0 for the lattice method.
+    /// Number of searches for contact events in pieces of the solution, because bounds did not exclude an
+    /// event there; 0 for the lattice method.
     long searches = 0;
     /// Number of points evaluated in all searches for contact events.
     long samples = 0;
-    /// Number of pieces of a first attempt in closed form that was discarded, because it did not reach the
-    /// end of the blow with sufficient accuracy. They are not included in `pieces`.
+    /// Number of pieces of a first attempt in closed form that was discarded, because its error became too
+    /// large before the end of the blow. They are not included in `pieces`.
     long abandoned = 0;
-    /// Number of cells (time steps of waves) that had to be evaluated for the largest forces, because bounds
-    /// could not exclude them.
+    /// Number of cells (time steps of waves) in which the largest forces were searched, because upper bounds
+    /// of the force did not exclude them there.
     long cellsLookedInto = 0;
     /// Time step Δ (cell) of a method that divides time into equal steps, in units of t0; 0 for other
     /// methods.
     double cell = 0;
     /// Largest change of a section's round-trip time by rounding to whole cells (time steps), in units of t0.
     double rounding = 0;
-    /// Time step (cell) that divides all round trips of the sections exactly, in units of t0. It is set if
-    /// this time step was not used because it takes too much work; otherwise 0.
+    /// Time step (cell) that divides all round trips of the sections exactly, in units of t0. It was not
+    /// used, because it takes too much work. 0 if there is no such time step, or if it was used.
     double sharedCell = 0;
 
-    /// Returns whether section lengths were changed noticeably, so that round trips are whole numbers of
-    /// cells (time steps). Smaller changes are within the precision with which lengths are given.
+    /// Returns whether rounding of round trips to whole numbers of cells (time steps) has changed the section
+    /// lengths noticeably. Smaller changes are within the precision with which lengths are given.
     bool isRounded() const { return rounding > 1e-7; }
     /// Returns the efficiency: the share of the hammer work that stays in the rock, 0 … 1.
     double efficiency() const { return rockWork / hammerWork; }
-    /// Returns the hammer work that is not in the rock: in rod, hammer and faces, or lost [I0²/(Z t0)].
+    /// Returns the part of the hammer work that does not stay in the rock [I0²/(Z t0)]: the energy left in
+    /// rod, hammer and hammer face, and the losses in joints and sections.
     double energyLeft() const { return finalEnergy + hammerEnergy + jointLoss + rodLoss + faceEnergy; }
     /// Returns the relative error of the energy balance. The reference is W, or 1e-3 I0²/(Z t0) if W is
     /// smaller: against rigid rock a hammer does almost no work, while rounding is relative to I0²/(Z t0).
@@ -259,8 +264,8 @@ struct Impact {
         return (hammerImpulse - impulse - hammerMomentum - finalMomentum - externalMomentum) / hammerImpulse;
     }
     /// Returns whether the energy balance of a computation with cells (time steps) is good enough; otherwise
-    /// its result is refused. Cells that are too coarse for a wave lose energy: at most a share of 0.015 in
-    /// 3000 test strings. Energy is gained only by rounding, at most 3e-12.
+    /// its result is refused. Cells that are too coarse for a wave lose energy. This loss was at most a share
+    /// of 0.015 in 3000 test strings, while rounding added at most 3e-12.
     bool balances() const {
         constexpr double mostMade = 1e-6, mostLost = 0.05;
         return energyResidual() >= -mostMade && energyResidual() <= mostLost;

@@ -62,18 +62,19 @@ struct Problem {
     /// Sections in order from the rear end: those of an elastic hammer, if any, then those of the string to
     /// the bit. A single section of impedance 1 is a uniform rod.
     std::vector<UniformSection> sections = {{}};
-    /// Number of consecutive entries of `sections` that replace each section of the scenario; their transit
-    /// times are equal. Empty if every section of the scenario is one entry.
+    /// Number of consecutive entries of `sections` that replace one section of the scenario, for each
+    /// section. Their transit times are equal. Empty if every section of the scenario is one entry.
     std::vector<int> pieces;
-    /// Force–penetration law of bit and rock, with β = k t0/Zr and γ.
+    /// Force–penetration law of bit and rock, with the loading stiffness β = k t0/Zr and the unloading
+    /// stiffness β/γ.
     BitRockLaw law;
     /// Gap between bit and rock at the start, δ = d/d0 with d0 = 2 I0/Zr; ≥ 0.
     double gap = 0;
     /// Time t/t0 at which the user wants the computation of a drill string to end; empty if the user sets no
     /// time.
     std::optional<double> endTime;
-    /// Time t/t0 of the next blow, if known. Without `endTime`, the computation of a drill string stops there
-    /// if the end of the blow is not proven before.
+    /// Time t/t0 of the next blow, if known. Without `endTime`, the computation of a drill string stops at
+    /// this time if the end of the blow is not proven before.
     std::optional<double> nextBlow;
     bool operator==(const Problem&) const = default;
 
@@ -99,8 +100,8 @@ struct Problem {
             sum += sections[j].mass() + sections[j].massAfter;
         return sum;
     }
-    /// Returns the reference velocity v0 Zr/F0: that of the hammer, or I0/M for a force on a string of mass
-    /// M.
+    /// Returns the reference velocity v0 Zr/F0. For a hammer it is its impact velocity, for a prescribed
+    /// force I0/M with the mass M of the string.
     double velocity() const { return isForced() ? 1 / mass() : hammer().velocity; }
     /// Returns the gap between bit and rock in units of I0/Zr; the member `gap` is in units of d0, which is
     /// twice that.
@@ -114,16 +115,17 @@ struct Problem {
 /// section does not count, since it has no joint.
 bool losesWaves(const Problem& problem);
 
-/// Returns the reason why solvers for uniform rods refuse the problem: it is not a prescribed force on one
-/// lossless uniform rod. Returns an empty text if they accept it.
+/// Returns the reason why a solver for uniform rods refuses the problem; empty if the solver accepts it. Such
+/// a solver requires a prescribed force on a single uniform rod without losses.
 std::string_view rodRefusal(const Problem& problem);
 
 /// Returns the dimensionless blow of a valid scenario. `pieces` gives the number of uniform pieces that
-/// replace each section of hammer and string; empty means one each. A pulse may hold 100 000 points: to solve
-/// many blows of the same pulse, change one problem instead of calling this function again.
+/// replace each section of hammer and string; empty means one each. To solve many blows with the same pulse
+/// of up to 100 000 points, change one Problem instead of calling this function again.
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces = {});
 
-/// Returns the blow of a prescribed force on the rear end of a uniform rod with the groups β, γ, τ, δ.
+/// Returns the blow of a prescribed force on the rear end of a uniform rod. `groups` are the dimensionless
+/// rock stiffness β, the elasticity γ of the rock, the transit time τ and the gap δ.
 Problem problemOf(PulseForce force, const Groups& groups);
 /// Sets transit time, rock stiffness β, elasticity γ and gap of the problem `rod` from the groups β, γ, τ, δ.
 /// The force and the corners of the rock law do not change.

@@ -24,7 +24,8 @@ constexpr bool isAfter(Load load) {
     return load == Load::compressionAfter || load == Load::tensionAfter;
 }
 
-/// One value of type T for each of the four loads, accessible by name or by operator[] with a Load.
+/// Container of four values of type T, one for each load (compression or tension, during or after the blow).
+/// They are accessible by name or by operator[] with a Load.
 template <class T>
 struct OfLoads {
     T compression = {}, tension = {}, compressionAfter = {}, tensionAfter = {};
@@ -38,8 +39,8 @@ struct OfLoads {
                                               &OfLoads::compressionAfter, &OfLoads::tensionAfter};
 };
 
-/// Returns four values, one for each load: compression and tension, during and after the blow. Each is the
-/// result of the function `map` for the value of this load in `from`.
+/// Applies the function `map` to each of the four values in `from`, and returns the four results. There is
+/// one value for each load: compression and tension, during and after the blow.
 template <class T>
 auto eachOf(const OfLoads<T>& from, const auto& map) -> OfLoads<decltype(map(from.compression))> {
     return {map(from.compression), map(from.tension), map(from.compressionAfter), map(from.tensionAfter)};
@@ -57,8 +58,8 @@ struct SectionPeak {
 };
 
 /// Largest compression and tension of one section of hammer or string, during and after the blow. The blow
-/// lasts until one transit of the string after the last separation of bit and rock. The values "after" cover
-/// at least one round trip of the string from then on, unless an end time or the next blow is earlier.
+/// lasts until one transit of the string after the last separation of bit and rock. The loads after the blow
+/// are searched over at least one round trip of the string, unless an end time or the next blow is earlier.
 using SectionForces = OfLoads<SectionPeak>;
 
 }  // namespace drillwave

@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Texts that say which work limit was reached (Hindrance::workLimit). isWorkLimit() recognises them in
-/// results of which only the text is kept.
+/// Texts for the user that say which work limit was reached (Hindrance::workLimit). isWorkLimit() recognises
+/// these texts in stored results, which contain no Hindrance.
 struct WorkLimitReason {
     static constexpr const char* pieces = translatable(
         "its waves have more polynomial pieces than the work limit permits, because of very many "

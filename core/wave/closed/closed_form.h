@@ -34,14 +34,14 @@ double secondPulseImpulse(double beta);
 double closedFormRestitution(double beta);
 
 /// Returns the impulse that the closed form of the coefficient of restitution e neglects, in units of I0, for
-/// β = `beta` and τ = `tau`. It is the tail of the first force pulse after the end of the second one,
-/// (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)) (T29). If overlapIsSmall(), 0 ≤ closed form − e ≤ this value. The
-/// tail prolongs the contact beyond the end of the second pulse; in that time, the pull that the formula of
-/// the second pulse would give is smaller than the push of the tail.
+/// β = `beta` and τ = `tau`. It is the tail of the first force pulse after the end of the second one, (2/β)(1
+/// − e^(−β)) e^(−β(2τ + ts − 1)) (T29). If overlapIsSmall(), 0 ≤ closed form − e ≤ this value. The tail
+/// prolongs the contact beyond the end of the second pulse. The true impact force during this time is smaller
+/// than the tail, because the formula of the second pulse would give tension there.
 double neglectedOverlap(double beta, double tau);
 
-/// Returns whether the closed form is valid for β = `beta` and τ = `tau`. The two force pulses must overlap
-/// so little that the contact ends before the third wave arrives, and that no further contact follows.
+/// Returns whether the closed form is valid for β = `beta` and τ = `tau`. The two pulses of the impact force
+/// must overlap little: the contact ends before the third wave arrives, and no further contact follows.
 bool overlapIsSmall(double beta, double tau);
 
 /// Returns the reason why the closed form cannot solve a blow; an empty message if it can. It requires a

@@ -32,8 +32,9 @@ enum class DrillingStart {
 
 /// One blow and all properties of the sequence of blows, in the dimensionless units of Problem (problem.h).
 struct DrillingProblem {
-    /// Blow of hammer, string and rock, repeated in the sequence. Joints and sections with a loss return the
-    /// momentum that they take from a wave over the time between two blows (D5).
+    /// One blow of hammer, string and rock, which is repeated in the sequence. Joints and sections with a
+    /// loss take momentum from waves. They return it to the string as a wave that decays over about one
+    /// interval between blows (D5).
     Problem blow;
     /// Mean interval between blows, 1/(f t0); > 0.
     double interval = 1;
@@ -47,8 +48,8 @@ struct DrillingProblem {
     std::vector<double> waveLosses;
     /// Whether every blow meets new rock, because the bit has turned.
     bool isFresh = true;
-    /// Standard deviation of the intervals between blows over their mean, ≥ 0. No interval deviates from the
-    /// mean by more than three standard deviations.
+    /// Standard deviation of the intervals between blows, divided by their mean; ≥ 0. No interval deviates
+    /// from the mean by more than three standard deviations.
     double intervalScatter = 0;
     /// Seed of the random numbers for the scatter of intervals.
     std::uint32_t seed = 1;
@@ -70,20 +71,20 @@ struct DrillingBlow {
     /// Momentum of rod or string divided by its mass at the blow, in units of F0/Zr, positive towards the
     /// rock.
     double velocity = 0;
-    /// Impulse on the rock, in units of I0. This member and all after it are for the interval from this blow
-    /// to the next one.
+    /// Impulse on the rock, in units of I0. This member and all later ones describe the interval from this
+    /// blow to the next one.
     double rockImpulse = 0;
-    /// Increase of the residual penetration from this blow to the next one, in units of I0/Zr.
+    /// Increase of the residual penetration between this blow and the next one, in units of I0/Zr.
     double penetration = 0;
-    /// Depth of the hole that all blows up to this one have drilled, in units of I0/Zr.
+    /// Depth of the hole that all blows up to and including this one have drilled, in units of I0/Zr.
     double holeDepth = 0;
-    /// Largest impact force from this blow to the next one, in units of F0.
+    /// Largest impact force between this blow and the next one, in units of F0.
     double peakForce = 0;
-    /// Number of contacts of bit and rock that began from this blow to the next one.
+    /// Number of contacts of bit and rock that began between this blow and the next one.
     double contacts = 0;
-    /// Total duration of contact of bit and rock from this blow to the next one, in units of t0.
+    /// Total duration of contact of bit and rock between this blow and the next one, in units of t0.
     double contactTime = 0;
-    /// Largest force D of the damper on the rear end from this blow to the next one, in units of F0.
+    /// Largest force D of the damper on the rear end between this blow and the next one, in units of F0.
     double damperPeak = 0;
     /// Impulse J that the hammer transfers to the string in this blow, in units of I0; 1 for a prescribed
     /// force.
@@ -97,8 +98,8 @@ struct DrillingBlow {
     bool operator==(const DrillingBlow&) const = default;
 };
 
-/// Energy balance of all blows so far, in units of F0² t0/Zr: the sum of hammer and feed equals the sum of
-/// the other members.
+/// Energy balance of all blows so far, in units of F0² t0/Zr. The supplied energy, `hammer` + `feed`, equals
+/// the sum of all other members.
 struct DrillingLedger {
     /// Work ∫Fa v_r dt of the prescribed force, or the energy that all hammers together have transferred.
     double hammer = 0;
@@ -130,7 +131,8 @@ struct DrillingGrid {
     double cell = 0;
     /// Round trip 2T of each section in cells (time steps); it need not be a whole number.
     std::vector<double> roundTrips;
-    /// Division of cells (time steps) into parts, if a jump of the prescribed force lies inside a cell.
+    /// Division of cells (time steps) into parts, if a jump of the prescribed force lies inside a cell;
+    /// otherwise one part.
     CellCuts cuts;
     /// Number of cells (time steps) in the mean interval between blows.
     long cellsOfInterval = 1;
@@ -140,7 +142,8 @@ struct DrillingGrid {
     /// that does not exist.
     bool releasesAtOnce = true;
 
-    /// Returns the mean interval between blows, rounded to whole cells (time steps), in units of t0.
+    /// Returns the mean interval between blows, rounded to a whole number of cells (time steps), in units of
+    /// t0.
     double interval() const { return static_cast<double>(cellsOfInterval) * cell; }
     /// Returns the relative change of the blow frequency that results if the interval between blows is
     /// rounded to whole cells (time steps).
@@ -149,27 +152,26 @@ struct DrillingGrid {
     void setSections(const std::vector<UniformSection>& sections);
     /// Returns whether the round trips of all sections are whole numbers of cells (time steps).
     bool hasWholeTrips() const;
-    /// Returns the index of the first section whose round trip is shorter than a cell (time step), which the
-    /// computation refuses; nothing if there is none.
+    /// Returns the index of the first section whose round trip is shorter than a cell (time step); the
+    /// computation refuses such sections. Returns nullopt if there is none.
     std::optional<std::size_t> shortSection() const;
-    /// Returns the estimated work of computing one blow: the number of cells (time steps) times the number of
-    /// nodes (ends of sections).
+    /// Returns the estimated computing work of one blow: the number of time steps (cells or their parts)
+    /// times the number of nodes (ends of sections).
     double work(const DrillingProblem& problem) const {
         return static_cast<double>(cellsOfInterval) * static_cast<double>(cuts.count()) *
                static_cast<double>(problem.blow.sections.size() + 1);
     }
 };
 
-/// Returns a division of time into at least `cellsPerDuration` cells (time steps) per t0; up to sixteen times
-/// as many, so that every round trip has at least one cell. The interval between blows becomes a whole number
-/// of cells. All round trips also become whole numbers, if a common cell of at least an eighth of the wanted
-/// size divides them.
+/// Returns a division of time into equal cells (time steps), at least `cellsPerDuration` of them per t0. The
+/// interval between blows is rounded to a whole number of cells. Short sections need smaller cells, so that
+/// their round trip has at least one cell; shortSection() finds a section that is too short. All round trips
+/// are whole numbers of cells if they have a common divisor of at least t0/(4·`cellsPerDuration`).
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 /// Returns a second division of time, to estimate the error that the cells (time steps) cause. Its cells are
-/// twice as large as those of drillingGridOf(). They are half as large if the round trips of a string share
-/// no larger cell. The interval between blows is the same, so results differ because of the cells only. The
-/// hammer always separates at once; the difference therefore includes the effect of separations shorter than
-/// a cell.
+/// twice as large as those of drillingGridOf(), or half as large if no suitable larger cells exist. The
+/// interval between blows is the same, so results differ because of the cells only. The hammer always
+/// separates at once; the difference therefore includes the effect of separations shorter than a cell.
 DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 
 }  // namespace drillwave

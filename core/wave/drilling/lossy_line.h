@@ -16,8 +16,8 @@ namespace drillwave {
 
 // Wave read at a fraction of a cell (time step), from a least-squares fit to two stored cells
 
-/// Wave over one cell (time step) that does not coincide with the stored cells. It begins at the fraction θ =
-/// `share` of a stored cell and ends in the next stored cell:
+/// Wave over one cell (time step) that lies across two stored cells. It begins at the fraction θ = `share` of
+/// the stored cell `old`, and ends in the following stored cell `next`:
 ///
 ///     s(u) = old(u + θ) for u < 1 − θ, next(u − 1 + θ) after,   0 ≤ θ < 1
 ///
@@ -25,8 +25,8 @@ namespace drillwave {
 class CellShift {
   public:
     CellShift() = default;
-    /// Creates the projection for a wave that is shifted by the fraction θ = `share` of a cell (time step), 0
-    /// ≤ θ < 1.
+    /// Creates the projection to cubics for a wave that is shifted by the fraction θ = `share` of a stored
+    /// cell (time step), 0 ≤ θ < 1.
     explicit CellShift(double share) : m_share(share) {
         const GaussRule& rule = gaussRule();
         constexpr int count = WaveCell::count;
@@ -48,11 +48,11 @@ class CellShift {
         }
     }
 
-    /// Returns whether θ > 0. If not, a stored cell (time step) is the wave itself, and project() is not
-    /// needed.
+    /// Returns whether the shift θ is greater than 0. Otherwise each stored cell (time step) is used
+    /// directly, without project().
     bool isShifted() const { return m_share > 0; }
-    /// Returns the cubic that replaces the wave over a cell (time step) that begins in the stored cell `old`
-    /// and ends in the stored cell `next`.
+    /// Returns the cubic that replaces the wave over a time step (cell) that begins inside the stored cell
+    /// `old` and ends inside the following stored cell `next`.
     WaveCell project(const WaveCell& old, const WaveCell& next) const {
         // the coefficients are in separate arrays, so that the processor computes them in parallel
         Row first{}, second{};
@@ -66,14 +66,14 @@ class CellShift {
         return out;
     }
     /// Returns the integral ∫f du of the wave f over the first fraction θ of its cell (time step), in units
-    /// of F0; u runs from 0 to 1 in the cell.
+    /// of F0. The cell is the range u = 0 … 1.
     double headMean(const WaveCell& f) const {
         double sum = 0;
         for (int k = 0; k < WaveCell::count; ++k) sum += m_headMean[k] * f.c[k];
         return sum;
     }
-    /// Returns ∫f² du over the first fraction θ of a cell (time step), in units of F0²; u runs from 0 to 1 in
-    /// the cell.
+    /// Returns the integral ∫f² du of the wave f over the first fraction θ of its cell (time step), in units
+    /// of F0². The cell is the range u = 0 … 1.
     double headSquare(const WaveCell& f) const {
         double sum = 0;
         for (int k = 0; k < WaveCell::count; ++k) {
@@ -95,28 +95,30 @@ class CellShift {
     }
 
     double m_share = 0;
-    /// Linear maps from the Legendre coefficients of the cells (time steps) `old` and `next` to those of the
-    /// result. The first index is the coefficient of the input, the second that of the result.
+    /// Linear maps by which project() computes the Legendre coefficients of its result from those of the
+    /// cells `old` and `next`. The first index is the coefficient of the input, the second that of the
+    /// result.
     Map m_ofOld{}, m_ofNext{};
     Row m_headMean{};
     Map m_headSquare{};
 };
 
-/// Waves in a section with loss, over one round trip 2T. The wave b in the section relaxes to its own mean A
-/// at the rate λ = −ln(1 − η)/2T (D3) (D4):
+/// Waves in a section of rod or string that lose energy but no momentum. The wave b_in enters the section,
+/// the wave b_out leaves it one round trip 2T later. The wave b in the section relaxes to its own mean A at
+/// the rate λ = −ln(1 − η)/2T, with the loss η per round trip (D3) (D4):
 ///
 ///     B' = b_in − b_out,   A' = λ (B/2T − A),   stored: c = b_in − A,   b_out(t) = (1 − η) c(t − 2T) + A(t)
 ///
 /// −B is the momentum of the section and B/Z its shortening, with B = ∫b dt; the loss changes neither.
 ///
-/// A round trip need not be a whole number of cells (time steps). The wave that arrives during a cell then
-/// lies in two stored cells, and is replaced by its projection to a cubic. The projection conserves B; its
-/// loss of energy is counted.
+/// A round trip need not be a whole number of cells (time steps). A leaving wave then consists of parts of
+/// two stored cells, and is replaced by its projection to a cubic. The projection conserves B; the energy
+/// that it loses is counted in lost().
 class LossyLine {
   public:
-    /// Prepares the section, without waves. Its round trip is `cells` ≥ 1 cells (time steps) of the size
-    /// `cell` [t0]. `loss` is the loss η per round trip, 0 ≤ η < 1. `widths` are the widths of the parts of a
-    /// cell, in order. `cells` may be fractional only if there is one part.
+    /// Prepares the section, and sets the wave in it to 0. Its round trip is `cells` ≥ 1 cells (time steps)
+    /// of the size `cell` [t0]. `loss` is the loss η per round trip, 0 ≤ η < 1. `widths` are the widths of
+    /// the parts of a cell, in order. `cells` may be fractional only if there is one part.
     void begin(double cells, double cell, double loss, std::span<const double> widths) {
         m_line.restart(static_cast<std::size_t>(std::ceil(cells)) * widths.size(), 1);
         m_shift = CellShift(std::ceil(cells) - cells);
@@ -137,7 +139,7 @@ class LossyLine {
         }
         fill(0);
     }
-    /// Fills the section with the constant wave `wave`, in units of F0.
+    /// Fills the section with the constant wave `wave`, in units of F0, and sets the energy lost so far to 0.
     void fill(double wave) {
         for (WaveCell& cell : m_line.content()) cell = WaveCell::constant(isLossy() ? 0 : wave);
         m_mean = m_next = wave;
@@ -167,8 +169,8 @@ class LossyLine {
         out.c[1] += 0.5 * (m_next - m_mean);
         return out;
     }
-    /// Stores the wave b_in that enters the section over the same time step as the wave `out` that arrive()
-    /// returned. `part` is the index of this time step among the parts of its cell.
+    /// Stores the wave b_in that enters the section while the wave `out` leaves it, which arrive() returned
+    /// for the same time step. `part` is the index of this time step among the parts of its cell.
     void enter(const WaveCell& in, const WaveCell& out, std::size_t part) {
         WaveCell& stored = *m_line.newest();
         stored = in;
@@ -178,8 +180,8 @@ class LossyLine {
         }
         pass(in.mean() - out.mean(), (in - out).meanProduct(in + out), part);
     }
-    /// Stores the wave that enters if the leaving wave `out` is reflected with the constant `change` [F0]
-    /// added, b_in = out + change. It replaces enter() for a rod in free flight, for which it is faster.
+    /// Stores the entering wave b_in = out + change: the leaving wave `out` is reflected with the constant
+    /// `change` [F0] added. It replaces enter() for a rod in free flight, for which it is faster.
     void turn(double change, const WaveCell& out, std::size_t part) {
         const WaveCell& oldest = *m_line.oldest();
         WaveCell& stored = *m_line.newest();
@@ -194,22 +196,23 @@ class LossyLine {
     /// Returns the integral Q = ∫b² dt, in units of F0² t0, of the square of the wave b in the section. It is
     /// taken over one round trip 2T, which the wave needs to run through the section and back.
     double square() const { return m_square - headEnergy(); }
-    /// Returns Z times the energy that the wave b has lost since the last fill(), in units of F0² t0. It is
-    /// ∫2λ(Q − B²/2T) dt, with the loss rate λ of the line, its transit time T, Q = ∫b² dt and B = ∫b dt,
-    /// plus what the projection of the wave to cubics loses.
+    /// Returns the energy that the wave b has lost since the last fill(), multiplied by the impedance Z, in
+    /// units of F0² t0. It is ∫2λ(Q − B²/2T) dt with the loss rate λ, the transit time T, Q = ∫b² dt and B =
+    /// ∫b dt. The numerical loss by the projection of waves to cubics is added.
     double lost() const { return m_lost + headEnergy(); }
 
     // Functions that compare and move states
 
-    /// Returns the wave in the section less its mean, c = b − A, as the stored cells (time steps). The oldest
-    /// cell is first.
+    /// Returns the stored cells (time steps) of the wave, the oldest first. They hold the wave less its mean,
+    /// c = b − A, or the wave b itself if the section has no loss.
     std::span<const WaveCell> stored() const { return m_line.content(); }
     std::span<WaveCell> stored() { return m_line.content(); }
     /// Returns the mean A to which the wave in the section relaxes, in units of F0; used only with a loss.
     double mean() const { return m_mean; }
-    /// Moves the wave in this section towards that in the section `other`, until only the fraction `share` (0
-    /// … 1) of the difference remains. It changes the stored cells c, the mean A and the integral B. `widths`
-    /// are the widths of the parts of a cell (time step), in units of t0.
+    /// Makes the wave in this section similar to that in `other`, the same section in another state of the
+    /// computation. Only the fraction `share` (0 … 1) of the difference remains. It changes the stored cells
+    /// c, the mean A and the integral B. `widths` are the widths of the parts of a cell (time step), in units
+    /// of t0.
     void approach(const LossyLine& other, double share, std::span<const double> widths) {
         const auto others = other.stored();
         const auto own = stored();
@@ -232,8 +235,9 @@ class LossyLine {
         m_oldestSquare = m_line.oldest()->meanSquare();
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
-    /// Adds a constant to each stored cell (time step), to make a slightly different state for the Lyapunov
-    /// exponent. The first constant is `wave` [F0]; each further one is −0.7 times the constant before.
+    /// Adds a constant to the wave in each stored cell (time step), to make a slightly different state for
+    /// the Lyapunov exponent. The first constant is `wave` [F0]; each further one is −0.7 times the constant
+    /// before.
     void displace(double wave) {
         for (WaveCell& cell : stored()) {
             cell.c[0] += wave;
@@ -246,8 +250,8 @@ class LossyLine {
     CellShift m_shift;          ///< shift by the difference of the stored cells to a round trip
     double m_oldestSquare = 0;  ///< mean square of the wave in the oldest stored cell
     double m_headAtFilling = 0;
-    /// Decrease of the mean square [F0²] of the wave over the present time step by the projection to a cubic:
-    /// the energy lost by it.
+    /// Decrease of the mean square [F0²] of the leaving wave in the present time step, caused by its
+    /// projection to a cubic. It is a numerical loss of energy.
     double m_projected = 0;
     double m_roundTrip = 1;  ///< round trip 2T of a wave in the section, in units of t0
     double m_ofRoundTrip = 1;
@@ -257,16 +261,17 @@ class LossyLine {
     struct Part {
         double width;  ///< width Δ of the part, in units of t0
         double loss;   ///< product 2λΔ, relative loss of energy of a deviation
-        /// Factor e^(−λΔ) by which the present mean A enters the next mean. Δ is the width of the following
-        /// part.
+        /// Factor e^(−λΔ) of the present mean A in the equation for the next mean. λ is the rate of
+        /// relaxation, Δ the width of the following part of the cell.
         double nextKept;
-        /// Factors in the equation of the next mean A: of the integral B before this part, and of its rate B'
-        /// during this part.
+        /// Factors in the equation for the next mean A of the wave. `ofHeld` multiplies the integral B before
+        /// this part, `ofFlux` its rate B' during this part.
         double ofHeld, ofFlux;
     };
-    /// Completes one time step. `flux` and `power` are the means over it of the rates B' and Q', with B = ∫b
-    /// dt and Q = ∫b² dt. The mean A at the end of the next step is computed first, because the ends of the
-    /// section wait for it.
+    /// Completes one time step: updates the mean A of the wave b, and the integrals B = ∫b dt and Q = ∫b² dt.
+    /// `flux` and `power` are the means of the rates B' and Q' over the step; `part` is its index within the
+    /// cell. A at the end of the next step is computed in advance, because the leaving wave of that step
+    /// depends on it.
     void pass(double flux, double power, std::size_t part) {
         const Part& of = m_parts[part];
         if (isLossy()) {
@@ -284,8 +289,8 @@ class LossyLine {
         m_line.advance(1);
     }
 
-    /// Returns ∫b² dt of the part of the oldest stored cell that has already left the section; m_square
-    /// includes the whole cell.
+    /// Returns ∫b² dt of that part of the oldest stored cell (time step) which has already left the section.
+    /// It is subtracted from m_square, which includes the whole cell.
     double headEnergy() const {
         if (!m_shift.isShifted()) return 0;
         const double head = m_shift.headSquare(*m_line.oldest());

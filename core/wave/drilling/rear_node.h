@@ -13,12 +13,13 @@
 
 namespace drillwave {
 
-/// Relative motion of machine, rear end and hammer, in the dimensionless units of Problem (problem.h).
+/// State of machine body, rear end and hammer at one time: velocity, relative positions and contact, in the
+/// dimensionless units of Problem (problem.h).
 struct RearState {
     /// Velocity v_b of the machine body, in units of F0/Zr, positive towards the rock.
     double bodyVelocity = 0;
-    /// Rounding error of the velocity v_b, in units of F0/Zr. The next time step corrects it, so that the
-    /// momentum of a heavy body is conserved.
+    /// Rounding error of the velocity v_b, in units of F0/Zr. It is subtracted from the next change of
+    /// velocity, so that the momentum of a heavy body is conserved.
     double velocityRest = 0;
     /// Position of the machine body relative to the rear end, x = x_b − x_r, in units of I0/Zr.
     double stretch = 0;
@@ -77,7 +78,7 @@ class RearNode {
         double impedance = 1;
         /// Contact of hammer and string: its stiffness, and whether the hammer may hit the string again.
         HammerFace face;
-        /// Machine body with damper; nothing for a constant force.
+        /// Machine body with damper; nullopt if a constant force presses on the rear end instead.
         std::optional<MachineBody> machine;
         /// Whether hammer and string count as separated as soon as the contact force is zero; otherwise only
         /// after a whole time step (cell) without contact.
@@ -99,17 +100,15 @@ class RearNode {
         /// Returns the total force on the rear end, in units of F0.
         WaveCell sum() const { return face + damper; }
     };
-    /// Advances the struck end of the string by one time step and returns the forces on it. `f1` is the wave
-    /// that arrives through the hammer, `b2` the one that arrives through the string. `force` is the
-    /// prescribed force; null if there is none or it has ended. `part` is the index of this time step among
-    /// the parts of its cell.
+    /// Advances the struck end of the string by one time step and returns the forces on it. The wave `f1`
+    /// arrives through the hammer, the wave `b2` through the string. `force` is the prescribed force; null if
+    /// there is none or it has ended. `part` is the index of this time step among the parts of its cell.
     Forces step(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part) {
         if (!m_machine && !force && !hasHammer()) return {{}, WaveCell::constant(m_meanForce)};
         return push(f1, b2, force, part);
     }
-    /// Completes impulses and work at the rear end since the last blow, at the end of the interval `duration`
-    /// [t0] between two blows. `rearMoved` is the displacement of the rear end since the blow, in units of
-    /// I0/Zr.
+    /// Completes the impulses and the work of sums() at the end of an interval between two blows. `duration`
+    /// [t0] is the length of the interval, `rearMoved` [I0/Zr] the displacement of the rear end in it.
     void endCycle(double duration, double rearMoved);
 
     /// Returns the state of machine, rear end and hammer after the last time step.
@@ -145,14 +144,14 @@ class RearNode {
         Face face = Face::given;
     };
     /// Motion of rear end, machine and hammer during a part of a time step (cell) in which no contact opens
-    /// or closes. Its members are power series in v, 0 ≤ v ≤ 1.
+    /// or closes. Its series are polynomials in v, which runs from 0 to 1 during this part.
     struct Piece {
         Modes modes;
         double from = 0, width = 1;
         int count = 0;
         Series push{}, damper{}, rear{}, body{}, stretch{}, gap{};
-        /// Function of v whose zero is the next event of the damper. It is positive until the damper lifts
-        /// off, or presses again.
+        /// Damper force while the damper presses, its negative value while it is lifted off; a series in v.
+        /// It is positive until the next event, at its zero: the damper lifts off or presses again.
         Series margin{};
     };
     struct Inputs {
@@ -187,8 +186,8 @@ class RearNode {
     std::optional<MachineBody> m_machine;
     std::vector<double> m_widths;
     std::vector<PressingMap> m_maps;
-    /// Largest rate constant (inverse time constant) of the differential equations of the rear end, in units
-    /// of 1/t0.
+    /// Upper bound of the rate constants (inverse time constants) of the motion of the rear end, in units of
+    /// 1/t0. It limits the time over which one power series is used.
     double m_fastest = 0;
     double m_mobility = 1;  ///< velocity of the rear end per force, 1/Z2
     double m_ofMass = 0;    ///< reciprocal mass 1/M of the machine body

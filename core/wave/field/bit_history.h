@@ -33,8 +33,8 @@ double impactImpulse(const Impact& impact, double s);
 /// body) the impulse is negative before s = 0.
 double incidentImpulse(const Impact& impact, double s);
 
-/// Returns the time s [t0] since the first arrival that belongs to a time in the recording. It adds the
-/// periods that were left out before it.
+/// Returns the time s [t0] since the first arrival at the bit, for the time `recorded` in the recording. It
+/// adds the periods of free flight that were left out of the recording before.
 double timeOfRecorded(const Impact& impact, double recorded);
 
 // Position of the bit: its penetration into the rock, or its distance from the rock.
@@ -60,8 +60,8 @@ struct BitState {
 /// of the displacement of the bit until then. Requires an impact with Detail::histories.
 BitState bitState(const Impact& impact, std::span<const ContactInterval> contacts, double delta, double t);
 
-/// Returns the contact state of bit and rock at the time t/t0. `displacementAt` is a function that returns
-/// the displacement of the bit towards the rock at any time, in units of d0. `contacts` are the intervals of
+/// Returns the contact state of bit and rock at the time t/t0. `displacementAt` is a function of time that
+/// returns the displacement of the bit towards the rock, in units of d0. `contacts` are the intervals of
 /// contact in order of time. `delta` is the initial gap δ, in units of d0.
 BitState bitState(const std::function<double(double)>& displacementAt,
                   std::span<const ContactInterval> contacts, double delta, double t);

@@ -14,13 +14,13 @@ namespace drillwave {
 // impact.frontArrival, in t0. Recorded times are those of impact.incident and impact.force. They leave out
 // the periods of impact.skips, and end where everything repeats with the round trip 2τ.
 
-/// Returns the time in the recording at which incident wave and impact force have the values of the time s,
-/// both in units of t0. The recording leaves out periods that repeat, and repeats after its end. For s before
-/// its start, s itself is returned.
+/// Returns the time in the recording that belongs to the time s since the first arrival at the bit, both in
+/// units of t0. Incident wave and impact force at s are found there. The recording leaves out repeating
+/// periods of free flight; after its end, its last round trip repeats. For s < 0 it returns s.
 double recordedTime(const Impact& impact, double s);
 
-/// Returns for how long after the time s the recording can be read without a jump, in units of t0. A jump
-/// occurs where periods were left out, or where the recording ends and repeats.
+/// Returns for how long after the time s the recording can be read on without a gap, in units of t0. There is
+/// a gap where periods were left out, and where the recording ends and its last round trip repeats.
 double uninterrupted(const Impact& impact, double s);
 
 /// Returns the total duration of the periods of free flight that were left out of the recording before a
@@ -31,9 +31,9 @@ double unrecordedBefore(const Impact& impact, double recorded);
 /// case (a rod that arrives as a rigid body), and 0 for all other blows.
 double waveBeforeArrival(const Impact& impact);
 
-/// Reader of the waves at the bit at many times in succession. Its values equal those of incidentWave() and
-/// impactForce(). It is faster, because it searches each time from the polynomial piece of the time before.
-/// Requires an impact solved with Detail::histories, which must outlive the reader.
+/// Reader of incident wave and reflected wave at the bit, for many times in succession. Its values agree with
+/// incidentWave() and impactForce(). It is faster than these, because each search starts from the polynomial
+/// piece found last. Requires an impact solved with Detail::histories, which must outlive the reader.
 class HistoryReader {
   public:
     explicit HistoryReader(const Impact& impact);

@@ -14,10 +14,10 @@ struct TimeSpan {
     bool operator==(const TimeSpan&) const = default;
 };
 
-/// Returns the interval of time that a picture of a blow shows at first. It starts with the blow, and ends
-/// one round trip after the last separation, or after the waves of the hammer force if they arrive later. It
-/// leaves out most of a long flight before the first contact, and everything after a dozen round trips.
-/// Requires an impact solved with Detail::events or more.
+/// Returns the interval of time that a picture of a blow shows at first. It starts with the blow. It ends one
+/// round trip after the last separation of bit and rock, or after the arrival of the end of the hammer force
+/// if that is later. It leaves out most of a long flight before the first contact, and everything after a
+/// dozen round trips. Requires an impact solved with Detail::events or more.
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
 /// Returns the interval of time that a picture of a blow shows at first, in units of t0. `contact` is the

@@ -14,36 +14,39 @@ namespace drillwave {
 
 /// Straight line that approximates a wave over an interval of recorded time.
 struct WaveStretch {
-    /// Start and end of the interval, in units of t0.
+    /// Start and end of the interval of recorded time, in units of t0.
     double begin = 0, end = 0;
     /// Values of the wave at the times `begin` and `end`, in units of F0.
     double first = 0, last = 0;
 
-    /// Returns the wave at a time, in units of F0; outside the interval, the value at the nearer end.
+    /// Returns the value of the line at a time, in units of F0. For times outside the interval it returns the
+    /// value at the nearer end.
     double at(double time) const;
     /// Returns the slope of the line in F0/t0.
     double slope() const { return (last - first) / (end - begin); }
 };
 
-/// Part of the largest sum of two waves that is a straight line over their delay. The delay is the time
-/// between the departure of one wave from the bit and the arrival of the other.
+/// Straight part of a curve that gives the largest sum of two opposite waves over the delay between them. The
+/// delay is the time from the departure of one wave from the bit to the arrival of the other wave there.
 struct MeetingLine {
     /// Range of delays between the two waves, in units of t0.
     double begin = 0, end = 0;
-    /// Largest sums of the two waves at the delays `begin` and `end`, in units of F0.
+    /// Largest sums of the two waves, in units of F0: `first` at the delay `begin`, `last` at the delay
+    /// `end`.
     double first = 0, last = 0;
-    /// Times at which the incident wave of the largest sum reaches the bit, for the delays `begin` and `end`,
-    /// in units of t0.
+    /// Times, in units of t0, at which the incident wave of the pair with the largest sum reaches the bit.
+    /// `incidentFirst` belongs to the delay `begin`, `incidentLast` to the delay `end`.
     double incidentFirst = 0, incidentLast = 0;
 
-    /// Returns the largest sum at a delay in units of t0, by linear interpolation.
+    /// Returns the largest sum of the two waves at a delay (in units of t0) by linear interpolation, in units
+    /// of F0.
     double at(double delay) const;
     /// Returns the part of this line over the delays [from, to].
     MeetingLine part(double from, double to) const;
 };
 
-/// Largest value of many lines at every delay between two waves, 0 ≤ delay ≤ span: their upper envelope. It
-/// is zero before the first line is added.
+/// Upper envelope of many straight lines: the largest value of all lines at every delay between two waves, 0
+/// ≤ delay ≤ span. It is zero before the first line is added.
 class UpperEdge {
   public:
     /// Creates an envelope over the delays 0 … span. Lines that exceed the envelope by no more than
@@ -52,9 +55,9 @@ class UpperEdge {
 
     /// Raises the envelope to this line wherever the line is higher.
     void raise(const MeetingLine& line);
-    /// Returns the minimum of the envelope over the delays [begin, end], plus the `rounding` of the
-    /// constructor, in units of F0. A line below it cannot raise the envelope. As soon as a value below
-    /// `enough` is found, the search ends and returns a value below `enough`.
+    /// Returns the smallest value of the envelope over the delays [begin, end], plus the `rounding` of the
+    /// constructor, in units of F0. A line below it cannot raise the envelope and need not be added. As soon
+    /// as a value below `enough` is found, the search ends and returns a value below `enough`.
     double leastOver(double begin, double end,
                      double enough = -std::numeric_limits<double>::infinity()) const;
     /// Returns the lines of the envelope in order of delay; each begins where the previous one ends.
@@ -69,8 +72,8 @@ class UpperEdge {
     Lines m_lines;  ///< keys are the delays at which the lines begin
 };
 
-/// Limits for the search of largestMeetings(), which adds only two waves that are in the rod at the same
-/// time.
+/// Limits of delay and time for the pairs of waves that largestMeetings() adds. Only two waves that are in
+/// the rod at the same time can meet.
 struct MeetingLimits {
     double roundTrip = 0;  ///< round trip 2τ of a wave, the largest delay of a pair
     /// Recorded time up to which meetings of two waves count, in units of t0; later ones are left out. The
@@ -80,19 +83,21 @@ struct MeetingLimits {
 
 /// Largest sums of two opposite waves for all delays between them, the result of largestMeetings().
 struct LargestMeetings {
-    /// Largest sums of the two waves as straight lines over the delay between them, in order of delay.
+    /// Largest sums of the two waves as a curve over the delay between them. Its straight lines are in order
+    /// of delay.
     std::vector<MeetingLine> lines;
-    /// Amount by which a line may be too low because pairs of waves were left out, in units of F0; 0 if all
-    /// were examined.
+    /// Amount, in units of F0, by which `lines` may be too low because pairs of wave stretches were left out
+    /// (too many pairs, or a stop request); 0 if none was left out.
     double missed = 0;
-    /// Number of pairs examined, a measure of the work.
+    /// Number of pairs of wave stretches examined, a measure of the work.
     long steps = 0;
 };
 
-/// Returns the largest incoming(a) + reflected(a − delay) over all times a, for every delay from 0 to a round
-/// trip. It gives the largest force at every section of the rod. The waves are approximated by straight
-/// stretches. Pairs of stretches that cannot raise the result by more than 2e-5 of the largest sum are
-/// skipped. After `mostSteps` pairs or a stop request, all remaining pairs are left out.
+/// Returns the largest sum incoming(a) + reflected(a − delay) over all times a, for every delay from 0 to a
+/// round trip. Two waves with a given delay meet at one section of the rod, so the sum is the largest force
+/// there. The waves are approximated by straight stretches. Pairs of stretches that cannot raise the result
+/// by more than 2e-5 of the largest sum are skipped. After `mostSteps` pairs or a stop request, all remaining
+/// pairs are left out.
 LargestMeetings largestMeetings(std::span<const WaveStretch> incoming, std::span<const WaveStretch> reflected,
                                 const MeetingLimits& limits, long mostSteps, const std::stop_token& stop);
 

@@ -18,12 +18,13 @@ namespace drillwave {
 /// between them is less than 1e-9 of the largest force, as rounding can make such dips.
 class ForcePeaks {
   public:
-    /// Creates a counter for a force whose largest value is `largest`, in units of F0.
+    /// Creates a counter for an impact force whose largest value is `largest`, in units of F0. Peaks below 1
+    /// % of it are not counted.
     explicit ForcePeaks(double largest);
     /// Adds the next piece of the impact force, in order of time.
     void add(const PiecewisePolynomial& force, const PiecewisePolynomial::Piece& piece);
-    /// Returns the number of peaks. If the force still rises at its end, this end is a peak, too. Call it
-    /// last: no pieces may be added afterwards.
+    /// Returns the number of peaks of the force. A force that still rises when it ends has its last peak at
+    /// this end. Call it last: no pieces may be added afterwards.
     int count();
 
   private:
@@ -39,9 +40,10 @@ class ForcePeaks {
 /// with Detail::histories.
 int forcePeaks(const Impact& impact);
 
-/// Number of peaks of the impact force and largest forces in the rod, computed while the histories arrive in
-/// parts. The results are those of forcePeaks() and largestRodForces(). Only the last two round trips of the
-/// histories are kept, since a force in the rod depends on the waves of one round trip.
+/// Search for the peaks of the impact force and the largest forces in the rod, while the solver computes the
+/// histories part by part. It gives the results of forcePeaks() and largestRodForces() for histories too long
+/// to be kept. It keeps only their last two round trips, since a force in the rod depends on the waves of one
+/// round trip.
 class PassingWaves {
   public:
     /// Creates the object for a blow that is computed a second time. `solved` is the result of the first
@@ -50,14 +52,15 @@ class PassingWaves {
     PassingWaves(const Impact& solved, const PulseForce& pulse, const RodForceChoice& choice);
 
     /// Processes the histories recorded so far, and then removes all but their last two round trips from
-    /// `recording`. Returns the number of pieces in `recording` at which the solver has to call it again.
+    /// `recording`. Returns a number of pieces: the solver must call take() again when `recording` contains
+    /// so many.
     std::size_t take(Impact& recording);
-    /// Processes the last part of the histories, which take() has not seen, after the blow has ended.
+    /// Processes the last part of the histories after the blow has ended, which take() has not yet processed.
     void takeLast(Impact& recording);
 
     /// Returns the number of peaks of the impact force; call it once, after takeLast().
     int peaks() { return m_peaks.count(); }
-    /// Returns the largest forces in the rod that have been found so far, in units of F0.
+    /// Returns the largest forces in the rod up to the time processed so far, in units of F0.
     const RodForces& forces() const { return m_forces; }
 
   private:

@@ -21,9 +21,9 @@ struct RodForce {
 };
 
 /// Largest compression −N and tension N in the rod, during and after the blow. The blow lasts until one
-/// transit after the last separation. The residual waves after it are undamped in the model and meet again
-/// and again; time and section are those of the first meeting. Sizes are 0 if the rod is never compressed or
-/// stretched.
+/// transit of the rod after the last separation of bit and rock. The residual waves after it are undamped in
+/// the model and meet again and again; time and section are those of the first meeting. Sizes are 0 if the
+/// rod is never compressed or stretched.
 using RodForces = OfLoads<RodForce>;
 
 /// Selection of the forces to compute: compression and tension during the blow, and both after it. Forces
@@ -35,11 +35,11 @@ struct RodForceChoice {
 /// Returns the largest compression −N and tension N = Np + Nn over the whole rod, during the blow and after
 /// it. Requires an impact solved with Detail::histories.
 ///
-/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ. Any two times with 0 ≤ a − b ≤ 2τ
-/// meet at some section, at the time t = (a + b)/2 + τ. The search therefore adds to each g(a) the largest r
-/// of the round trip before a. The result is exact at breakpoints and jumps; a maximum inside a smooth piece
-/// may be missed by 2e-4 of the peak force. Intervals of time in which both waves are too small are skipped.
-/// If `looked` is given, the number of examined intervals is added to it.
+/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ. For any two times with 0 ≤ a − b ≤
+/// 2τ, the waves g(a) and r(b) meet at some section, at the time t = (a + b)/2 + τ. The search therefore adds
+/// to each g(a) the largest r of the round trip before a. The result is exact at breakpoints and jumps; a
+/// maximum inside a smooth piece may be missed by 2e-4 of the peak force. Intervals of time in which both
+/// waves are too small are skipped. If `looked` is given, the number of examined intervals is added to it.
 RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const RodForceChoice& choice = {},
                            long* looked = nullptr);
 
@@ -48,8 +48,8 @@ RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const 
 // For the files of this folder only; requires an impact solved with Detail::histories.
 
 /// Returns a force with the value `size`, and with the section and time at which the two waves that cause it
-/// meet. One wave reaches the front end at the recorded time `incident`; the other left that end `delay`
-/// earlier, 0 ≤ delay ≤ 2τ. They meet at 1 − ξ = delay/2τ. Times are in units of t0.
+/// meet. One wave reaches the front end at the recorded time `incident`; the other left the front end
+/// earlier, by `delay` (0 … 2τ). They meet at 1 − ξ = delay/2τ. Times are in units of t0.
 RodForce meetingInRod(const Impact& impact, double size, double incident, double delay);
 
 /// Returns a force of the given size, with the section and time at which the two residual waves that cause it
@@ -58,8 +58,8 @@ RodForce meetingInRod(const Impact& impact, double size, double incident, double
 RodForce laterMeetingInRod(const Impact& impact, double size, double incident, double delay, double begin);
 
 /// Returns the time t/t0 since the start of the blow from which only residual waves run through the rod. It
-/// is one transit after the last separation of bit and rock, or after the end of the hammer force has reached
-/// the bit, whichever is later.
+/// is one transit of the rod after the later of two events: the last separation of bit and rock, and the
+/// arrival of the end of the hammer force at the bit.
 double startOfWavesLeft(const Impact& impact, const PulseForce& pulse);
 
 /// Returns the peak of the hammer force as a force in the rod, at the rear end ξ = 0, with its time.

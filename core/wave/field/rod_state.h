@@ -16,8 +16,8 @@ namespace drillwave {
 /// arrives as a rigid body) the rod has its momentum 1 from the start.
 double rodMomentum(const PulseForce& pulse, double t, double taken);
 
-/// Returns the momentum of the rod at the time t/t0, in units of I0, positive towards the rock. Requires an
-/// impact solved with Detail::histories, from which it takes the impulse of the impact force.
+/// Returns the momentum of the rod at the time t/t0, in units of I0, positive towards the rock: the impulse
+/// of the hammer force less that of the impact force. Requires an impact solved with Detail::histories.
 double rodMomentum(const Impact& impact, const PulseForce& pulse, double t);
 
 /// State of bit, rod and rock at one time. Normal forces are positive in tension, all other quantities

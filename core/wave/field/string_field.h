@@ -26,10 +26,10 @@ class StringField {
     /// Returns the time t/t0 to which the waves were recorded.
     double end() const { return m_waves->end(); }
     /// Returns the index of the uniform piece of hammer or string at the position x, counted from 0 at the
-    /// hammer's rear end. Where two pieces meet, it is the one on the hammer side.
+    /// hammer's rear end. At the border of two pieces, it is the piece nearer the hammer's rear end.
     std::size_t sectionAt(double x) const;
-    /// Returns normal force or velocity at the position x and the time t/t0; NaN outside hammer, string and
-    /// recording.
+    /// Returns normal force or velocity at the position x and the time t/t0; NaN if x is outside hammer and
+    /// string, or if t is later than end().
     double value(WaveQuantity quantity, double x, double t) const;
     /// Returns the quantity at the centre of every cell of the grid, computed for this point without
     /// interpolation. The work grows with the number of cells.
@@ -40,10 +40,11 @@ class StringField {
     /// Returns the travel time of a wave from the hammer face to the hammer's rear end and back, in units of
     /// t0.
     double hammerRoundTrip() const { return m_hammerRoundTrip; }
-    /// Returns the paths of a wave front that leaves the shank at the time `start` and runs to and fro in the
-    /// string. There is one straight path for each uniform piece; those outside the times `begin` … `end` are
-    /// left out. If start = 0, when the hammer first touches, the path of the front in the hammer is
-    /// included. Reflections at joints are not followed. Times are in units of t0.
+    /// Returns the straight paths in the x–t diagram of a wave front that leaves the shank at the time
+    /// `start` and runs to and fro in the string. There is one path for each passage of a uniform piece;
+    /// paths outside the times `begin` … `end` are left out. If start = 0, when the hammer first touches, the
+    /// path of the front in the hammer is included. Partial reflections at joints are not followed. Times are
+    /// in units of t0.
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
   private:

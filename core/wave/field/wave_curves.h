@@ -33,8 +33,9 @@ struct SectionWave {
 /// The lines deviate from the curve by about 1e-4 of the size of each polynomial piece.
 std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
 
-/// Returns the wave with index `number` that passes the section ξ = x/L, as points to be joined by straight
-/// lines. It ends one round trip after its arrival, or at the time `end` [t0] if that is earlier.
+/// Returns one of the waves that pass the section ξ = x/L, the one with the index `number` in order of
+/// arrival. It consists of points to be joined by straight lines. It ends one round trip after its arrival,
+/// or at the time `end` [t0] if that is earlier.
 SectionWave sampledWave(const Impact& impact, double xi, int number,
                         double end = std::numeric_limits<double>::infinity());
 
@@ -42,8 +43,9 @@ SectionWave sampledWave(const Impact& impact, double xi, int number,
 /// tension positive; NaN before its arrival and after one round trip from then.
 double sectionWave(const Impact& impact, double xi, int number, double t);
 
-/// Returns the time integral of the wave with index `number` up to t, in units of I0; only differences
-/// between two times are meaningful. It is constant while the wave is not at the section ξ.
+/// Returns the time integral up to t of the wave with index `number` at the section ξ, in units of I0. Only
+/// differences between two times are meaningful. The integral is constant before the wave arrives and after
+/// it has passed.
 double sectionWaveImpulse(const Impact& impact, double xi, int number, double t);
 
 /// Histories of force, impulse and incident wave at the bit, sampled at the same times.
@@ -58,8 +60,8 @@ struct SampledHistory {
     std::vector<double> incident;
 };
 
-/// Returns the recorded histories at the bit as points to be joined by straight lines. At a jump there is a
-/// point on either side. The lines deviate from the curves by about 1e-4 of the size of each polynomial
+/// Returns the recorded histories at the bit as points to be joined by straight lines. At a jump there are
+/// two points of equal time. The lines deviate from the curves by about 1e-4 of the size of each polynomial
 /// piece. Recordings of more than 10 000 pieces have fewer lines in each piece: about a million in all, or
 /// one for each piece. Periods that were not recorded (impact.skips) have no points.
 SampledHistory sampleHistory(const Impact& impact);
@@ -69,22 +71,23 @@ SampledHistory sampleHistory(const Impact& impact);
 // Everything here needs an impact solved with Detail::histories. Times are in t0 since the start of the blow,
 // forces in F0, tension positive, impulses in I0. ξ = x/L: rear end 0, bit 1.
 
-/// Normal force that a strain gauge measures at a section of the rod, and its later waves: those that follow
-/// the waves given as `first` to sectionForce().
+/// Normal force at a section of the rod, as a strain gauge measures it there, and the waves that pass the
+/// section after the waves `first` of sectionForce().
 struct SectionForce {
     /// Normal force N = Np + Nn (T2), in units of F0, tension positive. The curve starts at time 0, or with
     /// the first wave at the section if that is earlier.
     SampledCurve force;
-    /// Later waves towards the bit, joined in order of time, in units of F0, tension positive. They follow
-    /// the waves given as `first` to sectionForce(): after four such waves they are N4p, N6p …
+    /// Waves towards the bit that pass the section after the waves `first` of sectionForce(), as one curve,
+    /// in units of F0, tension positive. If `first` holds four waves (N0p … N3n), these are N4p, N6p …
     SampledCurve toBit;
-    /// Later waves away from the bit, joined in order of time, in units of F0, tension positive. They follow
-    /// the waves given as `first` to sectionForce(): after four such waves they are N5n, N7n …
+    /// Waves away from the bit that pass the section after the waves `first` of sectionForce(), as one curve,
+    /// in units of F0, tension positive. If `first` holds four waves (N0p … N3n), these are N5n, N7n …
     SampledCurve fromBit;
 };
 
-/// Returns the normal force at the section ξ = x/L up to the time `end`, with at most half a million points.
-/// `first` are the sectionWaves() of this section, an even number of waves that end before `end`.
+/// Returns the normal force at the section ξ = x/L up to the time `end` [t0], and the waves that pass it
+/// after the waves `first`. `first` is the result of sectionWaves() for this section: an even number of waves
+/// that are over before `end`. The force has at most half a million points.
 SectionForce sectionForce(const Impact& impact, double xi, std::span<const SectionWave> first, double end);
 
 /// Returns the integral of the normal force at the section ξ over time up to t, in units of I0, tension

@@ -117,7 +117,8 @@ struct RasterGrid {
     }
 };
 
-/// Values of a quantity at the centres of the cells of a grid.
+/// Values of a wave quantity (force or velocity) at the centres of the rectangles of an x–t grid, for a
+/// picture.
 struct WaveRaster {
     WaveQuantity quantity = WaveQuantity::force;
     RasterGrid grid;

@@ -11,33 +11,34 @@
 
 namespace drillwave {
 
-/// Returns the times at which the hammer force begins, jumps or ends, in units of t0, increasing. From each
-/// of them a front starts that runs through the rod for ever. Jumps below a fiftieth of the peak are left
-/// out, and so is the end of a force that only fades away. In the reference case (a rod that arrives as a
-/// rigid body) the only time is 0, its first contact.
+/// Returns the times at which the hammer force begins, jumps or ends, in units of t0, increasing. At each of
+/// these times a wave front starts that runs to and fro in the rod. Jumps below a fiftieth of the peak are
+/// left out. The end of an exponential force or a piston is also left out if the force there is below this
+/// value. In the reference case (a rod that arrives as a rigid body) the only time is 0, its first contact.
 std::vector<double> pulseFronts(const PulseForce& pulse);
 
 /// Path of a wave front through the rod, or through one section of a string: a straight line in the x–t
 /// diagram.
 struct FrontRun {
-    /// Number of the wave that begins with this front, from 0: even numbers run towards the bit, odd ones
-    /// away from it.
+    /// Number of the wave that begins with this front, counted from 0. Waves with even numbers run towards
+    /// the bit, those with odd numbers away from it.
     long number = 0;
     /// Direction in which the wave front runs, towards the bit or away from it.
     Heading heading = Heading::toBit;
-    /// Time t/t0 at which the wave front is at the end `front` of the path, on the side of the bit.
+    /// Time t/t0 at which the wave front is at the section `front`, the end of the path nearer the bit.
     double timeAtFront = 0;
     /// Time that the wave front needs from one end of the path to the other, in units of t0; > 0.
     double transitTime = 0;
-    /// Both ends of the path, x/L: `rear` towards the hammer, `front` towards the bit.
+    /// Sections x/L of both ends of the path: `rear` is the end nearer the hammer, `front` the end nearer the
+    /// bit.
     double rear = 0, front = 1;
 
     /// Returns the time t/t0 at which the front passes the section ξ = x/L.
     double timeAt(double xi) const {
         return timeAtFront - direction() * (front - xi) / (front - rear) * transitTime;
     }
-    /// Returns the section ξ = x/L at which the front is at the time t/t0. At other times, the straight line
-    /// of the path is extended beyond its ends.
+    /// Returns the section ξ = x/L at which the front is at the time t/t0. For times before or after the
+    /// path, its straight line is extended.
     double sectionAt(double t) const {
         return front + direction() * (t - timeAtFront) / transitTime * (front - rear);
     }
@@ -46,9 +47,10 @@ struct FrontRun {
     double direction() const { return heading == Heading::toBit ? 1 : -1; }
 };
 
-/// Returns the runs of one front along the rod, towards the bit and back, between the times `begin` and
-/// `end`, in order of time. The front leaves the hammer at the time `start`, one of pulseFronts(). Times are
-/// in t0 since the start of the blow.
+/// Returns the straight paths in the x–t diagram of one wave front that runs along the rod, towards the bit
+/// and back. There is one path for each passage between the times `begin` and `end`, in order of time. The
+/// front leaves the struck end at the time `start`, one of pulseFronts(). Times are in t0 since the start of
+/// the blow.
 std::vector<FrontRun> frontRuns(const Impact& impact, double start, double begin, double end);
 
 /// Interval of time during which bit and rock are in contact, in units of t0 since the start of the blow.

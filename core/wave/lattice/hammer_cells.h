@@ -12,10 +12,10 @@ namespace drillwave {
 /// is the impulse of the pulse, for any pulse and step.
 class HammerCells {
   public:
-    /// Creates the sequence of means for a blow without a hammer force.
+    /// Creates a sequence of zeros, for a blow without a hammer force.
     HammerCells() = default;
-    /// Creates the sequence of means of the force `pulse`, which must outlive it. `step` is the time step Δ >
-    /// 0, in units of t0.
+    /// Creates the sequence of means of the hammer force `pulse`, which must outlive the object. `step` is
+    /// the time step Δ > 0, in units of t0.
     HammerCells(const PulseForce& pulse, double step);
 
     /// Returns the mean of the hammer force over the next time step, in units of F0; 0 from the end of the

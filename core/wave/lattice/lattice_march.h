@@ -23,8 +23,8 @@ namespace drillwave {
 
 // Histories that are constant in each time step
 
-/// Recorder that appends time steps at the front end to the histories of an impact. Successive steps with
-/// equal values become one piece.
+/// Recorder of incident wave and impact force at the bit: appends one time step of the lattice after the
+/// other to the histories of an impact. Successive steps with equal values become one polynomial piece.
 class StepHistory {
   public:
     /// Starts a recording of the histories with the time step `step`, in units of t0.
@@ -41,8 +41,7 @@ class StepHistory {
         m_force = force;
         ++m_count;
     }
-    /// Appends the time steps since the last change of the values to the histories of the impact, as one
-    /// piece.
+    /// Appends the equal time steps counted so far to the histories of the impact, as one polynomial piece.
     void flush(Impact& impact) {
         if (m_count == 0) return;
         const double length = double(m_count) * m_step;
@@ -51,8 +50,8 @@ class StepHistory {
         ++m_pieces;
         m_count = 0;
     }
-    /// Returns the number of pieces that were appended to the histories so far. The values are constant in
-    /// each.
+    /// Returns the number of polynomial pieces appended to the histories so far. Each piece is a constant
+    /// value over one or more time steps.
     std::size_t pieces() const { return m_pieces; }
 
   private:
@@ -76,7 +75,7 @@ class LatticeMarch {
     void solve(const Problem& problem, int segments, Detail detail, const std::stop_token& stop,
                Impact& impact);
 
-    /// Returns the rounding error of the impulse in the last solution, in units of I0.
+    /// Returns an estimate of the rounding error of the impulse in the last solution, in units of I0.
     double roundingError() const { return roundingAfter(m_step); }
 
   private:
@@ -87,7 +86,8 @@ class LatticeMarch {
     static constexpr std::size_t mostRecorded = 2'000'000;
     /// Number of moves of a wave from one segment to the next between two checks for a stop request.
     static constexpr long movesPerCheck = 1L << 20;
-    /// Largest impulse [I0] of a contact shorter than a step that is ignored; it can be due to rounding.
+    /// Impulse [I0] up to which a contact shorter than a time step is ignored, because rounding can cause it.
+    /// A larger impulse makes the blow unsolved.
     static constexpr double negligibleImpulse = 1e-12;
 
     void begin(const Problem& problem, int segments, Detail detail, Impact& impact);
@@ -108,7 +108,8 @@ class LatticeMarch {
     void note(ContactEvent kind, double time) {
         if (m_detail != Detail::cor) m_impact->events.push_back({kind, time});
     }
-    /// Returns the time t/t0 of a fraction (0 … 1) of the last step, since the start of the blow.
+    /// Returns the time t/t0 since the start of the blow at a `fraction` of the last time step: 0 is its
+    /// start, 1 its end.
     double timeAt(double fraction) const {
         return m_arrival + m_skipped + (double(m_step - 1) + fraction) * m_duration;
     }
@@ -136,8 +137,8 @@ class LatticeMarch {
 
     /// Sum ΣF of the impact force over the time steps; times Δ it is the impulse on the rock.
     CompensatedSum<double> m_forces;
-    /// Sums ΣFa (2g − Fa) and ΣF (2g − F) over the time steps; times Δ they are the works of the hammer and
-    /// on the rock.
+    /// Sums ΣFa (2g − Fa) and ΣF (2g − F) over the time steps. Multiplied by Δ, they are the work of the
+    /// hammer and the work on the rock.
     CompensatedSum<double> m_hammerPowers, m_rockPowers;
     double m_contactStart = 0, m_impulseAtContact = 0;
     /// Number of whole round trips of free flight that still pass before the bit can reach the rock.
@@ -146,8 +147,8 @@ class LatticeMarch {
     /// Number of successive steps with neither contact nor hammer force.
     long m_freeSteps = 0;
     double m_freeMomentum = 0, m_freeEnergy = 0;
-    /// Largest sum Σg of the incident wave over the time steps since the free flight began. Times 2Δ it is
-    /// the largest displacement of the front end, in units of I0/Z.
+    /// Largest sum Σg of the incident wave over the time steps since the free flight began. Multiplied by 2Δ
+    /// it is the largest displacement of the front end towards the rock in this flight, in units of I0/Z.
     double m_farthest = 0;
 };
 
@@ -198,8 +199,9 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
     impact.hammerWork = uniform;  // ½ m v0²: the rod arrives with it
 }
 
-/// Returns whether the steps are short enough for the rock and few enough for the hammer force; otherwise the
-/// blow is marked as not solved.
+/// Returns whether the time step is short enough for the stiffness of the rock, and whether the hammer force
+/// lasts no more steps than permitted. If so, the waves are prepared; otherwise the blow is marked as not
+/// solved.
 template <class Waves>
 bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     const double steepest = ContactLaw<>(problem.law).slopes().elastic * m_duration;
@@ -222,7 +224,8 @@ bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     return true;
 }
 
-/// Advances to the time at which the first wave arrives; before it nothing happens at the front end.
+/// Advances the waves until the first one reaches the front end of the rod. Until then, bit and rock need not
+/// be computed.
 template <class Waves>
 void LatticeMarch<Waves>::reachFrontEnd(int segments, const std::stop_token& stop) {
     for (long ahead = Waves::stepsAhead(segments); ahead > 0 && !m_over; --ahead) {
@@ -281,8 +284,8 @@ void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
     }
 }
 
-/// Counts a step without hammer force and contact; after a whole round trip it decides whether the blow is
-/// over.
+/// Counts a time step without hammer force and without contact of bit and rock. After a whole round trip of
+/// such steps it decides whether the blow is over.
 template <class Waves>
 void LatticeMarch<Waves>::flyFree(double g) {
     if (m_freeSteps++ == 0) m_freeMomentum = m_freeEnergy = m_farthest = 0;
@@ -294,8 +297,9 @@ void LatticeMarch<Waves>::flyFree(double g) {
     m_freeSteps = 0;
 }
 
-/// Decides how to continue after a whole round trip without contact, when the incident wave is periodic.
-/// Either the blow is over, or the rod drifts towards the rock and hits it again later (theory §3.3).
+/// Decides how to continue after a whole round trip without contact and hammer force, when the incident wave
+/// repeats. Either the blow is over, or the rod drifts towards the rock and hits it again later (theory
+/// §3.3).
 template <class Waves>
 void LatticeMarch<Waves>::decide() {
     if (m_periodsAhead > 0) {

@@ -10,7 +10,8 @@
 
 namespace drillwave {
 
-/// Storage of the waves in the segments of the rod. The results are identical to the last bit.
+/// Way in which the waves in the segments of the rod are stored. Both ways give identical results, to the
+/// last bit.
 enum class LatticeWaves {
     /// Waves are moved from segment to segment in each step; the work per step grows with the number L of
     /// segments.
@@ -19,7 +20,8 @@ enum class LatticeWaves {
     ring,
 };
 
-/// Choice whether rods of fewer segments are also solved, to estimate the error.
+/// Choice whether the blow is also solved with other numbers of segments, to estimate the error of the
+/// coefficient of restitution.
 enum class ErrorEstimate { none, fromOtherLattices };
 
 /// Options of the lattice method. The paper uses 10 000 segments, and 20 000 "for accurate determination of
@@ -29,16 +31,18 @@ struct LatticeOptions {
     int segments = 10'000;
     /// Way in which the waves in the segments are stored. It changes the computing time, but not the results.
     LatticeWaves waves = LatticeWaves::ring;
-    /// Whether the error is estimated from rods of fewer segments.
+    /// Whether the error of the coefficient of restitution is estimated, from solutions with other numbers of
+    /// segments.
     ErrorEstimate estimate = ErrorEstimate::fromOtherLattices;
     bool operator==(const LatticeOptions&) const = default;
 };
 
-/// Allowed range of LatticeOptions::segments.
+/// Smallest and largest allowed number LatticeOptions::segments.
 inline constexpr int minimumSegments = 10;
 inline constexpr int maximumSegments = 1'000'000;
 
-/// Solver for blows on a rod of L equal segments with the time step Δ = τ/L, which reuses its memory.
+/// Solver for blows on a uniform rod, divided into L equal segments, with the time step Δ = τ/L. It uses its
+/// memory again for the next blow.
 ///
 /// The hammer force is replaced by its means over the time steps. The impact force is constant in each step,
 /// and does exactly the work of the bit–rock law (StepLaw). The solution ends when no further contact can
@@ -46,13 +50,13 @@ inline constexpr int maximumSegments = 1'000'000;
 /// round trips are skipped.
 ///
 /// The error of `cor` is proportional to Δ² if γ = 1, or if jumps of the hammer force fall on ends of steps;
-/// otherwise it is between Δ and Δ². `corError` is an estimate, not a bound. It is twice the range of the
-/// results for this number of segments and eight smaller ones, plus rounding. If those have too long steps,
-/// larger numbers are used. If the error is proportional to Δ², the estimate is typically ten times too
-/// large. It is NaN with ErrorEstimate::none.
+/// otherwise it is between Δ and Δ². `corError` is an estimate of this error, not a bound. It is twice the
+/// spread of the results for this number of segments and eight smaller numbers, plus rounding. If the steps
+/// of a smaller number are too long for the rock, a larger number is used. If the error is proportional to
+/// Δ², the estimate is typically ten times too large. It is NaN with ErrorEstimate::none.
 ///
-/// `pieces` is the number of steps from the first arrival on. `peakForce` and events are those of the
-/// force–penetration curve that the steps follow. The histories are constant in each step.
+/// `pieces` is the number of steps from the first arrival at the bit on. `peakForce` and events are those of
+/// the force–penetration curve that the steps follow. The histories are constant in each step.
 ///
 /// A blow is not solved, with a reason, if β/γ·Δ > 2 (a step would overshoot the unloading line), or if a
 /// contact with impulse is shorter than a step. The same holds after too many steps or a stop request.
@@ -63,8 +67,8 @@ class LatticeSolver {
     LatticeSolver(LatticeSolver&&) noexcept;
     LatticeSolver& operator=(LatticeSolver&&) noexcept;
 
-    /// Returns the solution of a blow. The requirements on `problem` are those of ExactSolver::solve().
-    /// `stop` is checked at least every few milliseconds.
+    /// Returns the solution of a blow. Requires β > 0, 0 < γ ≤ 1, τ > 0, δ ≥ 0, all finite, and a force on a
+    /// uniform rod (rodRefusal()). `stop` is checked at least every few milliseconds.
     Impact solve(const Problem& problem, Detail detail, const LatticeOptions& options,
                  const std::stop_token& stop = {});
 
