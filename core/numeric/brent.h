@@ -67,8 +67,8 @@ struct Minimum {
 };
 
 /// Returns a local minimum of f between `a` and `b`, by parabolas and golden sections (Brent, chapter 5). The
-/// relative error of x is about the square root of that of f, and at best `tolerance`, relative to the larger
-/// of |a| and |b|.
+/// relative error of x is about the square root of that of f. It is at best `tolerance`, relative to the
+/// larger of |a| and |b|.
 template <class Function>
 Minimum brentMinimum(const Function& f, double a, double b, double tolerance = 1e-9) {
     constexpr double golden = 2 - std::numbers::phi;

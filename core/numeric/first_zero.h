@@ -22,7 +22,8 @@ struct Zero {
     static Zero at(Real u) { return {.found = true, .undecided = false, .u = u}; }
 };
 
-/// Number of searches for a zero that simple bounds could not decide, and effort of these searches.
+/// Statistics of the work of firstZero(): number of searches that simple bounds could not decide, and effort
+/// of these searches.
 struct SearchCount {
     long searches = 0;
     long samples = 0;  ///< evaluated points or checked intervals, in all searches together
@@ -81,8 +82,9 @@ std::array<Real, 2> valueAndSlope(const Real* c, int count, Real u) {
 /// out.
 enum class MarchEnd { zero, passed, exhausted };
 
-/// Returns the largest step h with value + slope·h − bend·h²/2 ≥ 0, or a little less. If the slope is steep
-/// and negative, a lower bound of h replaces the exact formula, to save a square root.
+/// Returns the largest step h for which value + slope·h − bend·h²/2 ≥ 0, or a little less. This is a safe
+/// step towards the first zero of a function with p'' ≥ −bend. If the slope is steep and negative, a lower
+/// bound of h replaces the exact formula, to save a square root.
 template <class Real>
 Real stepOver(Real value, Real slope, Real bend) {
     constexpr Real tiny = std::numeric_limits<Real>::min();
@@ -125,9 +127,9 @@ Real zeroOfFalling(const LocalPolynomial<Real>& p) {
     return high;
 }
 
-/// Returns the first zero in (from, end] of a polynomial for which marchToZero() needs too many steps. Halves
-/// the interval until each part has no zero or one crossing. A dip of at most `noise` below zero is no zero.
-/// `samples` is increased by the number of parts.
+/// Returns the first zero in (from, end] of a polynomial for which marchToZero() needs too many steps.
+/// Halves the interval until each part has no zero or one crossing. A minimum at most `noise` below zero
+/// does not count as a zero. `samples` is increased by the number of checked parts.
 template <class Real>
 Zero<Real> firstZeroInParts(const Real* c, int count, Real end, Real from, Real noise, long& samples) {
     LocalPolynomial<Real> p;
@@ -196,8 +198,9 @@ Zero<Real> firstZero(const Real* c, int count, Real end, SearchCount& tally, Rea
     return firstZeroInParts(c, count, end, u, noise, tally.samples);
 }
 
-/// Calls found(x) for each maximum of the integral of f in (0, length), where f changes from positive to
-/// negative. Returns false if one of the searches for a zero was undecided.
+/// Calls found(x) for each x in (0, length) at which f changes from positive to negative, which is a maximum
+/// of the integral of f. Returns false if the search for a zero was undecided, so that maxima may be
+/// missing.
 template <class Real, class Found>
 bool forEachMaximum(const PowerSeries<Real>& f, Real length, Found found) {
     if (f.isZero()) return true;

@@ -27,7 +27,8 @@ struct MonotoneSegment {
     double error() const { return piece->error[output]; }
     double lower() const { return first < last ? first : last; }
     double upper() const { return first < last ? last : first; }
-    /// Returns the x at which the function has the value `wanted`. Requires lower() ≤ wanted ≤ upper().
+    /// Returns the x in this segment at which the function has the value `wanted`. Requires lower() ≤ wanted
+    /// ≤ upper().
     double placeOf(double wanted) const;
 };
 
@@ -53,15 +54,16 @@ inline constexpr double leastSlopeWidth = 1e-6;
 /// error is within the tolerance of the fit.
 bool hasSlope(const FitPiece& piece);
 
-/// Returns the left and right side of a point that may be a kink. `fromLeft` and `fromRight` are both the x
-/// of this point; for a periodic function they may differ by the period. Returns nullopt if the point is
-/// inside a piece, where the function is smooth, or if no piece is on one side.
+/// Returns the left and the right side of a point that may be a kink. `fromLeft` and `fromRight` are both
+/// the x of this point; for a periodic function they may differ by the period. Returns nullopt if the point
+/// is inside a piece, where the function is smooth. Also returns nullopt if there is no piece on one of the
+/// two sides.
 std::optional<std::pair<FitSide, FitSide>> sidesAt(std::span<const FitPiece> pieces, std::size_t output,
                                                    double fromLeft, double fromRight);
 
-/// Returns whether the slope of a function clearly jumps from the left to the right side of a point. The jump
-/// must exceed the errors of both slopes by leastAngle times the steeper slope, or times `scale` if that is
-/// larger. `scale` is the size of the function's values.
+/// Returns whether the slope of a function clearly jumps from the left to the right side of a point. The
+/// jump must exceed the errors of both slopes. The excess must be at least leastAngle times the steeper
+/// slope, or times `scale` if that is larger. `scale` is the size of the function's values.
 bool isAngle(const FitSide& left, const FitSide& right, double scale);
 
 /// Least or largest value of a function, and the x at which it is taken.
@@ -90,8 +92,8 @@ struct LocalExtreme {
 /// Returns the local minima and maxima of a function in ascending order of x, without those at its two ends.
 std::vector<LocalExtreme> localExtremesOf(std::span<const MonotoneSegment> segments);
 
-/// Point at which a fitted function crosses a level, upwards if `rising`, else downwards. On both sides its
-/// distance from the level exceeds the error of the fit.
+/// Point at which a fitted function crosses a level, upwards if `rising`, otherwise downwards. On both sides
+/// of the point, the function differs from the level by more than the error of the fit.
 struct FitCrossing {
     Estimate place;
     bool rising = false;

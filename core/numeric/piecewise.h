@@ -52,8 +52,8 @@ class PiecewisePolynomial {
     std::vector<double> m_coefficients;
     std::vector<double> m_integrals;  // integral up to the start of each piece
     double m_origin = 0;
-    /// End of the function: its start plus the lengths of all pieces. Rounding errors are compensated, so
-    /// that the piece at a given time is found exactly.
+    /// End of the function: its start plus the lengths of all pieces. The sum compensates rounding errors,
+    /// so that the borders of the pieces are found exactly.
     CompensatedSum<double> m_end;
 };
 

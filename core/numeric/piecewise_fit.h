@@ -32,8 +32,8 @@ class Chebyshev {
 
     double operator()(double x) const;
     double slope(double x) const;
-    /// Returns the largest of the last three |c_k|. For a smooth function this is about the error of the
-    /// interpolation.
+    /// Returns the largest absolute value among the last three coefficients c_k. For a smooth function this
+    /// is about the error of the interpolation.
     double tail() const;
     /// Returns the points inside the interval at which the derivative of the polynomial changes sign,
     /// ascending.
@@ -57,8 +57,8 @@ struct FitSample {
     double x = 0;
     std::array<double, mostFitFunctions> values{};
     double error = 0;  ///< bound on the absolute error of the values
-    /// Number by which kinks are detected: equal for all samples between two kinks, different on the two
-    /// sides of a kink.
+    /// Number that shows where the kinks are: it is equal for all samples between two kinks, and different
+    /// on the two sides of a kink.
     std::uint64_t order = 0;
     int label = 0;        ///< any number by which the caller distinguishes pieces
     bool solved = false;  ///< whether the functions have values at this x
@@ -73,8 +73,8 @@ struct FitPiece {
     std::vector<Chebyshev> outputs;
     std::vector<double> error;  ///< estimated bound of |output − exact value|, one for each function
     int label = 0;              ///< label of the sample nearest to the middle of the piece
-    /// Whether the error is within the tolerance. False for a very short piece around a kink, or if the limit
-    /// of work was reached.
+    /// Whether the error of the interpolation in this piece is within the tolerance. It is false for a very
+    /// short piece around a kink, or if the limit of work was reached.
     bool resolved = true;
     bool solved = true;  ///< whether the functions have values in this piece
 };
@@ -82,9 +82,11 @@ struct FitPiece {
 /// Accuracy of a piecewise fit, number of functions, and limits on the work.
 struct FitSettings {
     std::size_t count = 1;  ///< number of functions, 1 … mostFitFunctions
-    /// Size of the values of each function. The allowed error of a function is `tolerance` times this size.
+    /// Typical size of the values of each function. The allowed error of a function is `tolerance` times its
+    /// size.
     std::array<double, mostFitFunctions> scale{1, 1, 1};
-    /// Whether `scale` of each function is raised to the largest |value| found so far.
+    /// Whether the member `scale` of a function is increased during the fit to the largest absolute value of
+    /// the function found so far. If false, it remains as given.
     std::array<bool, mostFitFunctions> scaleGrows{};
     double tolerance = 1e-10;
     double kinkWidth = 1e-12;   ///< length of the bracket around a kink, in units of x
@@ -93,22 +95,25 @@ struct FitSettings {
     // is available for later intervals.
     std::uint64_t solvesOfCell = 2'000;
     std::uint64_t kinksOfCell = 100;
-    /// Maximum number of samples without values in one interval between two cuts. Later intervals do not get
-    /// what remains of this number.
+    /// Maximum number of evaluations at which the functions have no values, in one interval between two
+    /// cuts. After this number, the rest of the interval is left without values. Unused evaluations are not
+    /// available for later intervals.
     std::uint64_t failuresOfCell = 20;
-    /// Maximum total of FitSample::effort of all evaluations. When it is reached, pieces are not refined any
-    /// more, and count as not resolved.
+    /// Maximum work of the fit: total of FitSample::effort of all evaluations. After this maximum, pieces
+    /// are no longer refined, and their FitPiece::resolved is false.
     long mostEffort = std::numeric_limits<long>::max();
-    /// Maximum total effort of all evaluations at which the functions had no values.
+    /// Maximum total of FitSample::effort of the evaluations at which the functions have no values. After
+    /// this maximum, the remaining interval is left without values.
     long mostFailedEffort = std::numeric_limits<long>::max();
-    /// Treatment of a point beyond which the functions have no values. `halved` halves the pieces next to it
-    /// until they are very short. `bracketed` finds the point by bisection, as for a kink.
+    /// Treatment of a point beyond which the functions have no values. `halved` halves the pieces next to
+    /// this point until they are very short. `bracketed` finds the point by bisection, as for a kink.
     enum class Ends { halved, bracketed } ends = Ends::halved;
 };
 
 /// Result of fitPiecewise() over the interval from the first to the last of the given cuts.
 struct PiecewiseFit {
-    /// Pieces in ascending order without gaps, with very short ones of length kinkWidth around kinks.
+    /// Pieces in ascending order of x without gaps between them. Around each kink there is a very short
+    /// piece of length kinkWidth.
     std::vector<FitPiece> pieces;
     std::vector<double> borders;  ///< x of the kinks, where the order of the samples changes
     std::uint64_t solves = 0;     ///< number of evaluations of the functions
@@ -119,7 +124,7 @@ struct PiecewiseFit {
 /// Function that evaluates the fitted functions and returns the sample at x. Results after a stop request are
 /// not used.
 using FitFunction = std::function<FitSample(double x)>;
-/// Function called during the fit with the x up to which the pieces are complete.
+/// Callback for progress: it is called during the fit with the x up to which all pieces are finished.
 using FitProgress = std::function<void(double x)>;
 
 /// Fits the functions over the interval between ascending `cuts`, at least two, and returns the pieces. A
@@ -134,13 +139,14 @@ PiecewiseFit fitPiecewise(const FitSettings& settings, std::span<const double> c
 PiecewiseFit fitConstant(const FitSettings& settings, double start, double end, const FitFunction& function,
                          const std::stop_token& stop = {});
 
-/// Returns the piece in which to evaluate the functions at x. It is the piece that contains x, or the last
-/// one before it that has values. If x is before all pieces, it is the first piece. Requires a piece with
-/// values at or before x.
+/// Returns the piece of a fit with which to evaluate the functions at x. It is the piece that contains x, or
+/// the first piece if x is before all pieces. If the functions have no values in it, it is the last earlier
+/// piece that has values. Requires that there is such a piece.
 const FitPiece& pieceAt(std::span<const FitPiece> pieces, double x);
 
-/// Returns the x, ascending, at which to draw a fit: the ends of the pieces with values, and points between
-/// them at most `farthest` apart. Points closer than 1e-9 are merged.
+/// Returns the abscissas x, ascending, of a polyline that draws the fit. They are the ends of all pieces in
+/// which the functions have values, and points between them at most `farthest` apart. Points closer than
+/// 1e-9 are merged.
 std::vector<double> samplePlaces(std::span<const FitPiece> pieces, double farthest);
 
 }  // namespace drillwave

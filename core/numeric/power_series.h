@@ -25,7 +25,7 @@ Real polynomialOf(int count, Real u, Coefficient coefficient) {
     return even + u * odd;
 }
 
-/// Returns the polynomial Σ c_k u^k with 0 ≤ k < count.
+/// Returns the value of the polynomial Σ c_k u^k, 0 ≤ k < count, at u.
 template <class Real>
 Real polynomialValue(const Real* c, int count, Real u) {
     return polynomialOf(count, u, [c](int k) { return c[k]; });
@@ -44,9 +44,9 @@ Real sumOf(int first, int count, Term term) {
     return sum + other;
 }
 
-/// Performs several synthetic divisions of the polynomial Σ c_k x^k by (x − u) at once, from coefficient
-/// `first` on. Their number is `passes`; moveBy() consists of such divisions. Each division needs only the
-/// current value of the one before, so that they run in parallel.
+/// Performs `passes` synthetic divisions of the polynomial Σ c_k x^k by (x − u) at once, from coefficient
+/// `first` on. Such divisions give the Taylor shift in moveBy(). Each division needs only the current value
+/// of the previous one, so that the processor computes them in parallel.
 template <int passes, class Real>
 void divide(Real* c, int count, int first, Real u) {
     std::array<Real, passes> s;
@@ -127,8 +127,8 @@ struct PowerSeries {
         return polynomialOf(count, x / scale, [this](int k) { return c[k] * inverse(k + 1); }) * x;
     }
 
-    /// Returns an upper bound of the integrals of f from 0 to x, for every x up to `length`. The bound is at
-    /// least 0.
+    /// Returns an upper bound of the integral of f from 0 to x that holds for every x from 0 to `length`.
+    /// The bound is at least 0.
     Real mostIntegral() const {
         return sumOf<Real>(0, count, [this](int k) { return std::max(c[k], Real(0)) * inverse(k + 1); }) *
                length;
@@ -198,13 +198,13 @@ struct PowerSeries {
 
 // Polynomial that preserves the moments of a power series when another series replaces it.
 
-/// Number of moments ∫ f xʲ dx, j = 0 … 3, that remain unchanged when one series replaces another.
+/// Number of moments ∫ f xʲ dx, j = 0 … 3, that addMoments() preserves when one series replaces another.
 inline constexpr int keptMoments = 4;
 
-/// Adds to `f` a polynomial p of third degree with the same moments ∫ p uʲ du, j = 0 … 3, as the function
-/// `deviation`. It is the expansion of `deviation` in Legendre polynomials over the whole interval 0 ≤ u ≤ 1
-/// of `f`, cut off after the third degree. `deviation` is zero outside [from, from + share]. Requires f.scale
-/// = f.length.
+/// Corrects a series `f` that differs from the exact function by `deviation` (exact minus f). Adds to `f` a
+/// cubic polynomial p with the same moments ∫ p uʲ du, j = 0 … 3, as `deviation`, over 0 ≤ u ≤ 1. It is the
+/// expansion of `deviation` in Legendre polynomials up to the third degree. `deviation` is zero outside
+/// [from, from + share]. Requires f.scale = f.length.
 template <class Real>
 void addMoments(PowerSeries<Real>& f, const PowerSeries<Real>& deviation, Real from, Real share) {
     std::array<Real, keptMoments> own;  // ∫ d vʲ dv over the interval of the deviation, 0 ≤ v ≤ 1

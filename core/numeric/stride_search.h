@@ -9,8 +9,8 @@ namespace drillwave {
 
 /// Returns the last index below `count` for which `begins(index)` is true, or 0 if there is none. Requires
 /// that `begins` is true up to this index and false after it, and near < count. The search tries strides of
-/// 1, 2, 4, … from `near` and then bisects. It is fast if the index is near, and takes logarithmic time for
-/// any other index.
+/// 1, 2, 4, … from the index `near` and then bisects. It is fast if the result is close to `near`, and
+/// otherwise takes logarithmic time.
 template <class Begins>
 std::size_t strideSearch(std::size_t near, std::size_t count, const Begins& begins) {
     std::size_t first = near, stride = 1;  // the index sought is in [first, end)

@@ -42,7 +42,8 @@ inline constexpr auto stringAccuracyColumns = std::to_array<StudyColumn<StringAc
     {"min_s", "minimum", NumberStyle::time, [](const StringAccuracyRow& r) { return r.time.least; }},
 });
 
-/// Returns how a lattice stores its waves: "moved" or "ring". Empty for methods that are not a lattice.
+/// Returns how a lattice stores the waves in its segments: "moved" (shifted by one segment in each time step)
+/// or "ring" (ring buffer, without shifting). Empty for methods that are not a lattice.
 inline std::string_view wavesName(const AccuracyRow& row) {
     if (row.choice.method != Method::lattice) return {};
     return row.choice.lattice.waves == LatticeWaves::moved ? "moved" : "ring";

@@ -13,9 +13,9 @@
 
 namespace drillwave {
 
-/// Returns comment lines for the top of a CSV file. They have the prefix "# " and contain program version,
-/// method, meaning of the columns and the scenario file. Without the prefix they are a valid scenario file,
-/// in which the first three are still comments (see ResultRemarks).
+/// Returns comment lines for the top of a CSV file, each with the prefix "# ". They contain program version,
+/// method, meaning of the columns, and the scenario file. Without the prefix, they are a valid scenario file
+/// that begins with up to three comment lines (see ResultRemarks).
 std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method = {},
                            std::string_view columns = {});
 
@@ -37,8 +37,8 @@ std::string scenarioFromHeader(std::string_view csv);
 /// velocities in d0/t0; for strings velocities are in v0.
 std::string historiesCsv(const Blow& blow, const StringPlace& place, OutputUnits units);
 
-/// Returns one line for the header of the CSV file of historiesCsv(). It states the signs and units of the
-/// columns and the position `place`.
+/// Returns one line on the columns of historiesCsv(), for the comment lines at the top of the file. It states
+/// their signs and units. For a drill string, it also states the position `place` of the waves.
 std::string historyColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units);
 
 /// Returns the events at the bit, such as contact and separation, as CSV with the columns kind and time.

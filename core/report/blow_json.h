@@ -18,9 +18,9 @@ double inSi(const Output& output, double value, const Blow& blow);
 JsonArray alertsJson(const std::vector<Alert>& alerts);
 
 /// Returns a blow as a JSON object (files §5). Results are dimensionless and, if the scenario has units, also
-/// in SI units with their names. The object contains the text from completeScenarioText(), with which the
-/// results can be reproduced. Reading a number back gives the same value; numbers are null if the case was
-/// not solved. Requires Detail::ledger or more.
+/// in SI units with their names. The object contains `scenarioText`, from completeScenarioText(), with which
+/// the results can be reproduced. Numbers are written with all digits; they are null if the blow was not
+/// solved. Requires a blow solved with Detail::ledger (sums that check the balances) or more.
 std::string blowJson(const Blow& blow, const std::string& scenarioText);
 
 }  // namespace drillwave

@@ -24,12 +24,12 @@ struct ReportInput {
     std::optional<double> si;               ///< value in SI units; empty if it is not a number
     Message source;                         ///< source of the value, never empty, such as "assumed typical"
     std::optional<Quantity> quantity = {};  ///< quantity of the value in the form that the scenario uses
-    /// Name for people of a pulse shape or a rock law; empty for inputs that are numbers.
+    /// Name of the pulse shape or rock law, as shown to people. Empty if the input is a number.
     Message word = {};
     bool operator==(const ReportInput&) const = default;
 };
 
-/// Section of the hammer or the string, listed once even if it occurs several times.
+/// Section of the hammer or the string. A section that occurs several times, such as a rod, is listed once.
 struct ReportSection {
     std::string key;   ///< key of the section's first occurrence, such as "hammer.1" or "string.2"
     Message place;     ///< position for people, such as "hammer 1" or "2"
@@ -56,13 +56,14 @@ struct ReportComparison {
     std::vector<ReportRow> rows;
 };
 
-/// Contents of a report. Apart from the head, other blows and measured signals, it does not depend on when,
-/// where or how fast it was made.
+/// Contents of a report. Apart from head, other blows and measured signals, they depend only on the scenario,
+/// not on when, where or how fast the report was made.
 struct BlowReport {
     Blow blow;             ///< blow, solved exactly with histories, stresses and the margin of the feed force
     ReportHead head = {};  ///< lines below the title, as requested
     ReportComparison others = {};  ///< comparison with the other blows in the report; empty without any
-    /// Measured signals drawn over the curves; only for a scenario with units.
+    /// Measured signals that the pictures of the report show with the computed curves; only for a scenario
+    /// with units.
     std::vector<MeasuredSignal> measured = {};
     ReportComparison misfits = {};  ///< differences between each measured signal and the computed one
     std::string scenarioText;       ///< scenario file that reproduces the scenario
@@ -74,7 +75,7 @@ struct BlowReport {
     /// Reason, as a sentence, why the report has no study of all gaps (`gap`). Empty if it has one, and for a
     /// drill string.
     Message gapProblem;
-    /// Report of the required feed force, including a curve along a parameter; empty without a blow
+    /// Report of the required feed force, with its curve over a parameter; empty if the scenario has no blow
     /// frequency.
     std::optional<ThrustReport> thrust;
     Message thrustProblem;  ///< reason why there is no study of the feed force; empty if there is one
@@ -82,11 +83,11 @@ struct BlowReport {
     ReportStudies studies = {};
 };
 
-/// Returns the report of a valid scenario, without scenarioText, inputs and sections. Solves the blow and
-/// studies all gaps and the required feed force over the blow frequency. Studies that exceed
-/// mostPiecesInPassing wave pieces are omitted; a drill string has no study of the gaps. If the blow is not
-/// solved within `limits`, the report contains nothing else. After a stop request the blow is unsolved or the
-/// studies are missing.
+/// Returns the report of a valid scenario, without scenarioText, inputs and sections. Solves the blow, and
+/// studies all gaps and the required feed force at several blow frequencies. A study that needs more than
+/// mostPiecesInPassing wave pieces (the solver's unit of work) is omitted; a drill string has no study of the
+/// gaps. If the blow is not solved within `limits`, the report has no studies. After a stop request the blow
+/// is unsolved or the studies are missing.
 BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop = {},
                        const GapProgress& progress = {}, const WorkLimits& limits = {});
 

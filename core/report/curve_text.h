@@ -12,7 +12,7 @@ namespace drillwave {
 inline constexpr int valueDigits = 6;
 
 /// Returns a value of an axis as text in the axis's unit, with `digits` significant digits: "105 MN/m".
-/// `value` is in SI, or the index of a word.
+/// `value` is in SI; for an axis of words, such as pulse shapes, it is the index of a word.
 std::string valueText(const SweepAxis& axis, double value, int digits = valueDigits,
                       const ReadingStyle& style = plainStyle());
 
@@ -23,9 +23,9 @@ std::string familyText(const SweepAxis& family, double value, const ReadingStyle
 /// count ≤ most.
 std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle& style = plainStyle());
 
-/// Returns the report as text. For each curve (one value of the family) and each output it lists where the
-/// goal is reached, then a table of features. Ranges that are known only at single points or have no result
-/// follow.
+/// Returns the report as text. For each curve (one value of the family parameter), it lists where the goal is
+/// reached. For each output, a table of features such as extremes follows, then the parameter ranges that are
+/// known only at grid points or have no result.
 std::string curveText(const CurveReport& report, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -18,16 +18,16 @@ enum class DesignPanel {
     causes,    ///< Sobol indices: share of the scatter of each output caused by each uncertain input
 };
 
-/// Selection of the marks in DesignPanel::objective. With `withoutPresent` the present design has no mark:
-/// the window draws it itself, because it changes while the user edits the form.
+/// Selection of the marks in DesignPanel::objective. `withoutPresent` omits the mark of the present design.
+/// The window then draws it itself, because it changes while the user edits the form.
 enum class DesignMarks { all, withoutPresent };
 
 /// Returns the figure of a design study. Requires a report with a best design.
 StudyFigure designFigure(const DesignReport& report, const DesignNames& names,
                          DesignMarks marks = DesignMarks::all);
 
-/// Returns an output value in the unit of the figure's axis. This is a multiple of its scale (such as F0), or
-/// SI if the output has no scale. `value` is in the unit of the study.
+/// Returns an output value, converted from the unit of the study to the unit of the figure's axis. That unit
+/// is a scale such as F0, or the SI unit if the output has no scale.
 double designOrdinate(const DesignStudy& study, const Output& output, double value);
 
 }  // namespace drillwave

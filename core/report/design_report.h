@@ -20,8 +20,8 @@ struct DesignReport {
     double runTime = 0;        ///< computing time [s]
 };
 
-/// Returns the report as text. Its order is: design variables and uncertain inputs, best and equally good
-/// designs, Pareto set, Sobol indices, worst cases, warnings.
+/// Returns the report as text. It begins with the recommendation and the question. Best and equally good
+/// designs, Pareto set, Sobol indices, worst cases and warnings follow.
 std::string designText(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// Returns sentences that describe the question: uncertain inputs, design variables, numbers of designs and
@@ -37,17 +37,17 @@ std::vector<Message> designAnswerSentences(const DesignReport& report,
 inline constexpr std::size_t mostShownDesigns = 24;
 
 /// Returns a table with headings and one line per design. A line has the marks of a design (such as best or
-/// present), its design variables, and its objectives without and with scatter. With more than
-/// mostShownDesigns designs, only those with a mark are listed.
+/// present) and its design variables. Its objectives without and with the scatter of the uncertain inputs
+/// follow. With more than mostShownDesigns designs, only those with a mark are listed.
 TextGrid designsGrid(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// Returns the report as one JSON object; values are in SI units if the scenario has units, otherwise
 /// dimensionless.
 std::string designJson(const DesignReport& report);
 
-/// Returns one CSV row for each design; paretoCsv() returns only those of the Pareto set. To set a design in
-/// a scenario again, the columns of the design variables and of the parameter that keeps the energy constant
-/// are sufficient.
+/// Returns one CSV row for each design; paretoCsv() returns only the Pareto-optimal designs. The columns of
+/// the design variables, and of the parameter that keeps the energy constant, are enough to set a design in a
+/// scenario.
 std::string designsCsv(const DesignReport& report);
 std::string paretoCsv(const DesignReport& report);
 /// Returns the Sobol indices as CSV, one row for each output and uncertain input.

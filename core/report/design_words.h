@@ -14,11 +14,11 @@
 
 namespace drillwave {
 
-/// Names of designs, objectives and numbers for the sentences about a design study. This class gives them as
-/// on the command line, with numbers in a reading style. The window overrides it with the names in its form.
+/// Source of the names of designs and objectives, and of numbers, in sentences about a design study. This
+/// class uses the names of the command line. A subclass in the window replaces them by the names in its form.
 class DesignNames {
   public:
-    /// Stores references to both arguments, which must outlive this object.
+    /// Stores references to the study and the style, which must outlive this object.
     explicit DesignNames(const DesignStudy& study, const ReadingStyle& style = plainStyle())
         : m_study(study), m_style(style) {}
     DesignNames(const DesignNames&) = delete;
@@ -56,7 +56,8 @@ struct DesignRemark {
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const DesignNames& names);
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
-/// Result of a design study in one word. The objectives decide in their order.
+/// Result of a design study in one word. If designs are equally good in one objective, the next objective
+/// decides.
 enum class DesignHeadline {
     keep,          ///< no design is better than the present one
     change,        ///< a design is better than the present one, or the present one is not among the designs
@@ -73,8 +74,8 @@ Message designAnswerMessage(const DesignReport& report, const DesignNames& names
 /// Returns the first warning about the recommended design, followed by the number of further ones; empty
 /// without warnings.
 Message designWarning(const DesignReport& report, const DesignNames& names);
-/// Returns the result as a sentence, followed by the warnings about the recommended design. Empty if there is
-/// neither.
+/// Returns the recommendation as a sentence, followed by the first warning about the recommended design.
+/// Empty if there is neither.
 Message headlineMessage(const DesignReport& report, const DesignNames& names);
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
@@ -99,15 +100,15 @@ const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim,
 std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
                            const ReadingStyle& style = plainStyle());
 
-/// Returns a statistic of an objective in words. Example: the 5 % quantile is "reached in 95 % of cases" if
-/// `sense` is largest.
+/// Returns a statistic of an objective in words. Example: if `sense` is largest (the objective is maximised),
+/// the 5 % quantile is "reached in 95 % of cases".
 Message statisticMessage(const Statistic& statistic, Sense sense);
 
 /// Returns the name of an objective for tables, such as "thrust q95".
 std::string aimedName(const DesignAim& aim);
 
 /// Returns the name of a design: the values of its design variables, such as "240 us" or "half_sine, 3.05 m".
-/// Without design variables it is "FILE".
+/// Without design variables, the only design is that of the scenario file, and the name is "FILE".
 std::string designName(const DesignStudy& study, std::uint64_t design,
                        const ReadingStyle& style = plainStyle());
 
@@ -115,8 +116,8 @@ std::string designName(const DesignStudy& study, std::uint64_t design,
 std::string outputText(const DesignStudy& study, const Output& output, double value,
                        const ReadingStyle& style = plainStyle(), int digits = 5);
 
-/// Returns one line per limit of a design study: the value closest to the limit among all designs, and the
-/// design that has it. Used if no design satisfies all limits.
+/// Returns one line per limit of a design study: the most favourable value among all designs (the smallest
+/// one for an upper limit), and its design. Used if no design satisfies all limits.
 std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
                                      const ReadingStyle& style = plainStyle());
 

@@ -17,7 +17,8 @@
 
 namespace drillwave {
 
-/// Name of the method for sequences of blows in JSON.
+/// Value of the member `method` in the JSON of a sequence of blows. The waves are computed in cells, short
+/// time intervals in which a wave is a polynomial.
 inline constexpr const char* drillingMethod = "cells";
 
 /// Contents of the report of a sequence of blows.
@@ -28,8 +29,8 @@ struct DrillingReport {
     std::string scenarioText;
 };
 
-/// Values in SI of the units for one kind of quantity, such as lengths, in the results of a sequence of
-/// blows.
+/// Units for one kind of quantity, such as lengths, in the results of a sequence of blows. Used to convert
+/// results for output.
 struct DrillingScale {
     Quantity quantity = Quantity::ratio;
     double si = 1;        ///< SI value of the unit that Problem uses
@@ -42,8 +43,8 @@ struct DrillingScale {
 /// Returns the units of one kind of quantity, such as lengths, for the result of a sequence of blows.
 DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result);
 
-/// Returns a spread or an error for text, in the dimensionless units of Problem; 0 below 1e-9, which is only
-/// rounding.
+/// Returns a standard deviation or an error for display, or 0 if its magnitude is below 1e-9, which is only
+/// rounding. The values are in the dimensionless units of Problem.
 double withoutRounding(double spread);
 
 /// Returns sentences on the required feed force, then on the results of the sequence.
@@ -71,8 +72,9 @@ std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units
 TextGrid sequenceGrid(const DrillingResult& result, OutputUnits units,
                       const ReadingStyle& style = plainStyle());
 
-/// Returns the report as text: statements on the feed force; spreads of gap, penetration, impulse and force;
-/// whether the motion repeats; energy and balances; alerts.
+/// Returns the report as text. It states whether the feed force is enough, means and scatter of gap,
+/// penetration, impulse and force, and whether the motion repeats. Energy, errors of the balances and alerts
+/// follow.
 std::string drillingText(const DrillingReport& report, OutputUnits units,
                          const ReadingStyle& style = plainStyle());
 

@@ -11,18 +11,20 @@
 
 namespace drillwave {
 
-/// Scan of sequences of blows, with the text of its base scenario.
+/// Scan: sequences of blows computed for several values of one parameter. Includes the text of the base
+/// scenario.
 struct DrillingScanReport {
     DrillingScan scan;
     std::string scenarioText;
 };
 
-/// Returns the columns of all drillOutputs(), in the order of files §4.
+/// Returns a column for each output of a sequence of blows (drillOutputs()), in the order of files §4.
 std::vector<OutputColumn> drillingScanColumns(OutputUnits units);
-/// Returns one CSV row for each value and initial state: the value, the initial state and drillOutputs().
+/// Returns one CSV row for each scanned value and initial state: the value, the initial state, and the
+/// outputs of the sequence of blows (drillOutputs()).
 std::string drillingScanCsv(const DrillingScanReport& report, OutputUnits units);
-/// Returns the gap of every counted blow as CSV, with the value of the scanned parameter and the initial
-/// state. Plotted over the value, the gaps are a bifurcation diagram.
+/// Returns the gap at every counted blow of every sequence as CSV, with the scanned value and the initial
+/// state. Plotted over the scanned value, the gaps are a bifurcation diagram.
 std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units);
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units,
                              const ReadingStyle& style = plainStyle());

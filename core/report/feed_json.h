@@ -16,9 +16,9 @@ namespace drillwave {
 /// if `feed` is empty.
 Json feedJson(const std::optional<FeedEstimate>& feed);
 
-/// Returns the means of a sequence of blows as JSON; null without statistics. If `scan` is given, they are
-/// also compared with the best value of the scan. Lengths are in m, or in d0 if dimensionless; the
-/// penetration rate is in m/s.
+/// Returns the means of a sequence of blows as JSON; null without statistics. If `scan` is given, the
+/// penetration rate is also compared with the best one of the scan. Lengths are in m, or in d0 if
+/// dimensionless; the penetration rate is in m/s.
 Json sequenceJson(const DrillingResult& result, OutputUnits units, const ScanComparison* scan = nullptr);
 
 }  // namespace drillwave

@@ -18,9 +18,9 @@ namespace drillwave {
 /// "enough in all cases".
 std::string_view feedWord(FeedState state);
 
-/// Returns a sentence on the decisive case, such as "A feed force of 8 kN is enough for a single blow at
-/// any gap (7.25 kN required)." Without an estimate, the sentence says what input is missing. Forces have
-/// enough digits to distinguish the required from the installed one.
+/// Returns a sentence that states whether the feed force is enough. Example: "A feed force of 8 kN is enough
+/// for a single blow at any gap (7.25 kN required)." Without an estimate, the sentence says which input is
+/// missing. Forces have enough digits to distinguish the required from the installed one.
 Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                             const ReadingStyle& style = plainStyle());
 
@@ -33,16 +33,17 @@ std::vector<Message> estimateSentences(const Scenario& scenario, const std::opti
 std::string estimateText(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                          const ReadingStyle& style = plainStyle());
 
-/// Returns the remedy if the feed force is below what this blow requires. Example: "For this blow, the feed
-/// force must be at least 4.4 kN at 60 Hz, or the blow frequency at most 48 Hz with the present feed force."
+/// Returns a sentence with the remedy for a feed force below what this blow requires. Example: "For this
+/// blow, the feed force must be at least 4.4 kN at 60 Hz, or the blow frequency at most 48 Hz with the
+/// present feed force."
 Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
-/// Returns a sentence on how much more feed force is enough for this blow and for every gap between bit and
-/// rock, judged by single blows. It may also say that the installed one is enough. Empty without an installed
-/// feed force, or if the estimate does not apply.
+/// Returns a sentence on how much the feed force must be raised, as estimated from single blows. It covers
+/// this blow and every gap between bit and rock (or rigid rock). If the force is enough, the sentence says
+/// so. Empty without an installed feed force, or if the estimate does not apply.
 Message moreFeedMessage(const FeedEstimate& estimate, const ReadingStyle& style = plainStyle());
 
-/// Sentence on what the model neglects, printed once beside statements on more feed force.
+/// Sentence on what the model neglects. Reports print it once, next to advice to raise the feed force.
 inline constexpr const char* feedLimitsOfModel =
     translatable("Friction, rotation and buckling are not modelled.");
 

@@ -19,8 +19,8 @@
 
 namespace drillwave {
 
-/// Kind of a number without a physical quantity: plain number, fraction shown in per cent, error shown as a
-/// power of ten, or computing time [s].
+/// Kind of a number on an axis that has no physical quantity. It is a plain number, a value in per cent, an
+/// error shown as a power of ten, or a computing time [s].
 enum class PlainNumber { number, percent, magnitude, runTime };
 
 /// Scale of the blow (theory §1) of which the values of an axis are multiples. The enumerators stand for t0,
@@ -32,16 +32,17 @@ enum class BlowScale { time, force, impulse, penetration, stiffness, energy, str
 struct SiValues {
     Quantity quantity = Quantity::ratio;
     double size = 1;
-    /// Key of a special set of units, "rate" for m/min; empty for the usual units of the quantity.
+    /// Key of a special choice of units, such as "rate" for penetration rates in m/min. Empty for the usual
+    /// units of the quantity.
     std::string_view kind = {};
     bool operator==(const SiValues&) const = default;
 };
 
-/// Quantity of the numbers on an axis, which determines their unit and format. For a KeptParameter the
-/// numbers are values of that parameter in SI units.
+/// Quantity of the numbers on an axis, which determines their unit and format. A KeptParameter means values
+/// of that parameter in SI units.
 using FigureQuantity = std::variant<PlainNumber, BlowScale, SiValues, KeptParameter>;
 
-/// Action of a click on an axis: sets `parameter` to `factor` times the value clicked (SI).
+/// Effect of a click on an axis: sets `parameter` to `factor` times the clicked value of the axis (SI).
 struct AxisTarget {
     KeptParameter parameter;
     double factor = 1;
@@ -70,8 +71,8 @@ struct FigureAxis {
     /// Parameter that a click on the axis sets; empty if a click has no effect.
     std::optional<AxisTarget> target = {};
     bool isFromZero = false;  ///< whether the axis runs from zero to slightly above all values
-    /// Names shown at the values 0, 1, 2, … instead of numbers; empty for numbers. Curves over a named x axis
-    /// show no values between the names.
+    /// Names shown at the values 0, 1, 2, … instead of numbers; empty for an axis with numbers. If the x axis
+    /// has names, a curve is drawn as a short horizontal line at each name.
     std::vector<FigureText> names = {};
 };
 
@@ -109,7 +110,7 @@ enum class SeriesPoints {
 };
 
 /// Effect of a click near a line: sets `parameter` to `value` [SI], in addition to the parameter of the x
-/// axis. Only the x axis counts if `parameter` is empty.
+/// axis. If `parameter` is empty, only the parameter of the x axis is set.
 struct SeriesTarget {
     KeptParameter parameter = {};
     double value = 0;
@@ -127,11 +128,12 @@ struct FigureSeries {
     std::vector<double> x = {};
     std::vector<double> y = {};
     bool isOnTop = false;  ///< whether the x values of the series belong to the top axis of the panel
-    /// Function that returns the exact y at an x between the points of a line, for readings in the plot; may
-    /// be empty.
+    /// Function that returns the exact y of the line at any x, for the values shown at the cursor. If it is
+    /// empty, the cursor interpolates linearly between the points.
     std::function<double(double x)> value = nullptr;
     bool isFaint = false;  ///< whether the series is drawn faintly, behind the others
-    /// Upper edge of a strip whose lower edge is `y`, drawn as a thin line; empty for a simple line.
+    /// Upper edge of a strip, given by its y values at the positions `x`; the lower edge is `y`. It is drawn
+    /// as a thin line. Empty if the series is a single line.
     std::vector<double> upper = {};
     bool isFilled = false;  ///< whether the strip between y and `upper` is shaded
     SeriesPoints points = SeriesPoints::none;
@@ -139,9 +141,10 @@ struct FigureSeries {
     /// text, has none.
     std::vector<FigureText> texts = {};
     TextSide textSide = TextSide::above;
-    /// Row of the study's table that each point belongs to (index from 0). Empty if the points have no rows.
+    /// Index (from 0) of the row in the study's table to which each point belongs. Empty if the points have
+    /// no rows.
     std::vector<std::size_t> rows = {};
-    /// Effect of a click near the line, in addition to that of the axes; empty for none.
+    /// Additional effect of a click near the line, beyond the parameters that the axes set; empty for none.
     std::optional<SeriesTarget> target = {};
     /// Parameter that the user changes by dragging the line up or down: its value changes by `factor` times
     /// the distance in y. Empty if the line cannot be dragged.
@@ -149,7 +152,8 @@ struct FigureSeries {
     bool isOnRight = false;  ///< whether the y values of the series belong to the right axis of the panel
 };
 
-/// Kind of a marked point of a curve.
+/// Kind of a marked point of a curve: goal value, minimum or maximum, crossing of a level (such as e = 1), or
+/// kink or jump.
 enum class MarkKind { goal, extreme, crossing, kink };
 
 struct FigureMark {
@@ -158,14 +162,14 @@ struct FigureMark {
     double y = 0;
 };
 
-/// Horizontal line at the value `y` through all panels of a row, labelled in the last panel.
+/// Horizontal line at the value `y` through all panels of a row; its label is in the rightmost panel.
 struct FigureLevel {
     Message name;
     double y = 0;
     bool isMain = false;  ///< whether the line is drawn more prominently than other levels
     std::size_t row = 0;
-    /// Whether the y axis always includes the level. Otherwise it does so only if this at most doubles the
-    /// range of the axis.
+    /// Whether the y axis is always extended to include this line. Otherwise it is extended only if this at
+    /// most doubles its range.
     bool isInView = true;
 };
 
@@ -175,9 +179,9 @@ struct FigureZone {
     double from = 0;
 };
 
-/// Vertical band from x = `from` to `to`, shaded and labelled. The label is at the top in the middle; if `at`
-/// is given, at the bottom at this x, unless other labels are in the way. A band with from = to is a line
-/// labelled at the bottom.
+/// Vertical band from x = `from` to `to`, shaded and labelled. The label is at the top in the middle of the
+/// band. If `at` is given, it is at the bottom at this x, unless other labels are in the way. A band with
+/// from = to is a line labelled at the bottom.
 struct FigureBand {
     Message name;
     double from = 0;
@@ -185,14 +189,14 @@ struct FigureBand {
     std::optional<double> at = {};
 };
 
-/// Shaded layers between curves over x, from bottom to top; lower layers are darker.
+/// Shaded layers over x, one above the other; the lower ones are darker.
 struct FigureLayers {
     std::vector<Message> names = {};
     std::vector<double> x = {};
     /// Boundaries between neighbouring layers, each given by its y values at the positions `x`.
     std::vector<std::vector<double>> edges = {};
-    /// Curve that the names of the layers must not cover, given by its y values at the positions `x`; may be
-    /// empty.
+    /// Curve given by its y values at the positions `x`. The names of the layers are placed so that they do
+    /// not cover it. May be empty.
     std::vector<double> clear = {};
 };
 
@@ -204,27 +208,28 @@ struct FigureHandle {
     std::optional<double> snap = {};
 };
 
-/// Point of the first panel of a figure, in the units of its axes. Without `y` it means a vertical line at
-/// `x`.
+/// Point in the first panel of a figure, in the units of its axes. Without `y` it stands for a vertical line
+/// at `x`.
 struct FigurePoint {
     double x = 0;
     std::optional<double> y = {};
 };
 
-/// Colour map of values over the x and y axes of a panel, with a colour scale to the right of the row. The
-/// points of the grid are evenly spaced along each axis, or in equal ratios on a logarithmic axis.
+/// Colour map of values over the x and y axes of a panel, with a colour scale to the right of the panels in
+/// its row. The points of the grid are evenly spaced along each axis, or in equal ratios on a logarithmic
+/// axis.
 struct FigureField {
     std::shared_ptr<const MapGrid> grid;
     double perValue = 1;  ///< factor from values of the grid to numbers on the colour scale
     FigureAxis scale = {};
-    /// Value of the grid at which the colours change from one hue to another; empty for a single sequence of
-    /// colours.
+    /// Value of the grid at which the colours change from one hue to another. Empty if the colour scale has
+    /// only one hue.
     std::optional<double> level = {};
     bool hasRows = false;  ///< whether the points of the grid, row by row, are the rows of the study's table
 };
 
-/// Returns the smallest and the largest value of the grid so far, slightly widened if they are equal; 0 and 1
-/// without values.
+/// Returns the smallest and the largest of the values of the grid that are already computed. They are
+/// slightly widened if they are equal; 0 and 1 without values.
 std::pair<double, double> rangeOf(const MapGrid& grid);
 
 /// Panel of a figure: one plot with its axes. Panels in the same row share a y axis unless `hasOwnY` is set.
@@ -237,8 +242,8 @@ struct StudyPanel {
     FigureAxis x = {};
     FigureAxis y = {};                   ///< y axis; only that of the first panel in a row is used
     std::optional<FigureAxis> top = {};  ///< second x axis, along the top; empty for none
-    /// Ratio of values on the top axis to values on the x axis. It is 0 if the top axis has its own values,
-    /// which then belong to series with `isOnTop`.
+    /// Ratio of the values on the top axis to those on the x axis. 0 if the top axis has values of its own,
+    /// which apply to the series with `isOnTop`.
     double topPerX = 0;
     std::vector<FigureSeries> series = {};
     std::vector<FigureMark> marks = {};  ///< marks on points of the series with index `marked`
@@ -252,12 +257,14 @@ struct StudyPanel {
     bool isHidden = false;  ///< whether the panel is hidden, so that other panels take its space
     std::optional<FigureField> field = {};
     FigureText title = {};  ///< text above the panel; empty for none
-    /// Whether a click selects the table row nearest along x, regardless of its y.
+    /// Whether a click selects the table row whose point is nearest along x, at any distance. Otherwise the
+    /// point must be within a few pixels.
     bool hasRowsAlongX = false;
 };
 
-/// Figure of panels in rows, with a caption above them. A newer result of the same study may change series,
-/// marks and levels. A figure with another number of panels counts as a different one.
+/// Figure of panels in rows, with a caption above them. A newer result of the same study may have other
+/// series, marks and levels. If it has another number of panels or other axes, the plot treats it as a new
+/// figure and resets the zoom.
 struct StudyFigure {
     std::vector<FigureText> caption = {};
     std::vector<StudyPanel> panels = {};

@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Returns an HTML page with the recomputed figures of the paper, and a table of every printed number beside
-/// its computed value. The picture files, such as fig3.svg, must be in the folder of the page, in the
-/// `formats` given.
+/// Returns an HTML page with the recomputed figures of the paper, and a table that compares every number
+/// printed in the paper with its computed value. The page refers to picture files in its own folder, such as
+/// fig3.svg. It uses SVG if `formats` contains it, else PNG, else links to PDF.
 std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
                         const std::vector<std::string>& formats);
 

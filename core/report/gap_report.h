@@ -18,7 +18,8 @@ namespace drillwave {
 /// (paper, Fig. 8).
 const Study& gapStudy();
 
-/// Returns a note about the gap above which results repeat periodically; empty if they repeat from gap 0 on.
+/// Returns a note about the gap from which results repeat periodically as the gap grows. Empty if they repeat
+/// from gap 0 on. If results do not depend on the gap, the note says so.
 Message periodRemark(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
 /// Returns the study as one JSON object, dimensionless and with the scales for conversion to SI units. It
@@ -40,12 +41,12 @@ std::vector<std::string> gapRemarks(const GapStudy& study, const ReadingStyle& s
 /// Returns the study as text: the table, the notes and the computing time.
 std::string gapText(const GapStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns a figure of an output over one period of the gap, with its distribution beside it. Requires a
-/// complete study.
+/// Returns a figure of an output over one period of the gap, with the distribution of the output beside it.
+/// Requires a complete study.
 StudyFigure gapFigure(const GapStudy& study, GapOutput output);
 
-/// Returns a preview of gapFigure(), the figure of an output over one period of the gap, from a few solved
-/// gaps.
+/// Returns a preview of gapFigure() from a few solved gaps: an output over one period of the gap, without its
+/// distribution.
 StudyFigure gapPreviewFigure(const Scenario& scenario, const std::vector<GapSample>& samples,
                              GapOutput output);
 

@@ -18,14 +18,14 @@ struct PlannedGauge {
 
 /// Sampling rate of the simulated record of strain gauges.
 inline constexpr double gaugeRecordRate = 1e6;  ///< sampling rate [1/s]
-/// Recorded time before the blow reaches the struck end [s].
+/// Recorded time before time 0, when the blow reaches the struck end of the rod or string [s].
 inline constexpr double gaugeRecordBegin = 3e-4;
 
-/// Returns a table of `time [us]` and the strain of each gauge [microstrain], tension positive. A sample is
-/// the mean over its interval. White noise from `seed` is added, with a share `noise` (0 … 1) of the gauge's
-/// largest strain. The record ends two round trips after the blow reaches the bit, or when the waves of a
-/// string end. Requires a blow with units and histories (Impact::hasHistories()), and a valid gaugePlace()
-/// for every gauge.
+/// Returns a table of `time [us]` and the strain of each gauge [microstrain], tension positive. Each sample
+/// is the mean strain over its sampling interval. White noise from `seed` is added; its standard deviation is
+/// `noise` (0 … 1) times the largest strain of the gauge. The record ends two round trips of a wave after the
+/// blow reaches the bit, or earlier if the computed waves end. Requires a blow with units and histories
+/// (Impact::hasHistories()), and a valid gaugePlace() for every gauge.
 std::string gaugeRecordCsv(const Blow& blow, const std::vector<PlannedGauge>& gauges, double noise,
                            std::uint64_t seed);
 

@@ -12,14 +12,15 @@
 
 namespace drillwave {
 
-/// Beginning of the header of the CSV of goalCsv(), by which such files are recognised.
+/// First characters of a CSV file written by goalCsv(). The program uses them to recognise such a file of an
+/// earlier run.
 inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 
 /// Returns the number of significant digits for a goal value and the parameter values that give it: 5 in
 /// print, otherwise 8.
 int goalDigits(const ReadingStyle& style);
 
-/// Returns a value of the first output of `question` as text with its unit: "0.7", "240 kN".
+/// Returns `value`, a value of the first output of `question`, as text with its unit: "0.7", "240 kN".
 std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style);
 
 /// Returns the goal in words, such as "cor = 0.7" or, in print, "peak force = 240 kN". Requires that the
@@ -30,8 +31,9 @@ std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style =
 /// 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at 0.29982658".
 Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style);
 
-/// Returns a table of the parameter values at which an output takes the goal value. A line below states
-/// whether there may be others, or the nearest value if there are none. Requires a question with a goal.
+/// Returns a table of the parameter values at which an output takes the goal value. The line after it states
+/// whether there may be more such values. If there are none, it states where the output is nearest to the
+/// goal. Requires a question with a goal.
 std::string goalText(const CurveQuestion& question, const CurveLine& line,
                      const ReadingStyle& style = plainStyle());
 
@@ -39,13 +41,14 @@ std::string goalText(const CurveQuestion& question, const CurveLine& line,
 /// question has a goal.
 std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
 
-/// Returns a JSON object with the members `reached`, `complete`, `places` (each with its `kind`) and
-/// `nearest`. The last is null if a parameter value gives the goal, or if the curve has no result.
+/// Returns a JSON object with the members `reached`, `complete`, `places` (parameter values that give the
+/// goal, each with its `kind`) and `nearest`. `nearest` is null if a parameter value gives the goal, or if
+/// the curve has no result.
 JsonObject goalJson(const GoalAnswer& answer);
 
-/// Returns one CSV row for each place where a curve takes the goal value. Columns are goal, kind, direction,
-/// value of the second parameter (family), place, its error, output there, its error, and output after a
-/// jump. Places are in the unit of the parameter. Requires that the question has a goal.
+/// Returns one CSV row for each parameter value at which a curve takes or jumps over the goal value. Columns:
+/// goal, kind and direction of the crossing, family value (if any), parameter value, its error. The output,
+/// its error, and its value after a jump follow. Requires that the question has a goal.
 std::string goalCsv(const CurveStudy& study);
 
 }  // namespace drillwave

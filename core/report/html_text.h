@@ -21,8 +21,8 @@ std::string htmlHead(std::string_view text);
 /// Returns the header line of a table, which is repeated on every printed page.
 std::string htmlHeads(const std::vector<std::string>& names);
 
-/// Returns a table as HTML rows; the first of `rows` has the headings. In the others, a number is not
-/// separated from its unit by a line break.
+/// Returns the rows of an HTML table; the first of `rows` has the headings. In all other rows, a number and
+/// its unit are kept on one line.
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace drillwave

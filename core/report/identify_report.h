@@ -26,8 +26,8 @@ struct IdentifyReport {
 /// Number of random samples of the rock parameters in posterior.csv.
 inline constexpr std::size_t posteriorRows = 200;
 
-/// Returns the report as text, at most 40 lines for one record: the result first, then its limits and what
-/// was observed.
+/// Returns the report as text, at most 40 lines for one record. The identified rock comes first, then the
+/// sources of error, the agreement of the waves, and warnings.
 std::string identifyText(const IdentifyReport& report, const ReadingStyle& style = plainStyle());
 std::string identifyJson(const IdentifyReport& report);
 
@@ -42,24 +42,25 @@ std::string forcePenetrationCsv(const IdentifyReport& report);
 std::string posteriorCsv(const IdentifyReport& report);
 /// Returns the identified values as CSV, with one row for each record.
 std::string recordsCsv(const IdentifyReport& report);
-/// Returns the incident wave of the main record (IdentifyFindings::main()), from its front to its end, as
-/// CSV. The columns are `time [us]` and `force [kN]`.
+/// Returns the incident wave of the main record (IdentifyFindings::main()) as CSV, from the first rise of the
+/// wave to its end. The columns are `time [us]` and `force [kN]`.
 std::string incidentCsv(const IdentifyReport& report);
 
 /// Returns the sentence for the code of a warning about a record. `scenario` provides the names of its
 /// sections.
 Message identifyRemark(std::string_view code, const RecordAnswer& answer, const Scenario& scenario,
                        const ReadingStyle& style);
-/// Returns whether a report lists the warning with this code. Warnings that other parts of the report already
-/// express are not listed.
+/// Returns whether reports list the warning with this code. They omit three warnings whose content is already
+/// in other parts of the report.
 bool isRemarkShown(std::string_view code);
 /// Returns the warnings that a report lists: those of one record, then those of all records together.
 std::vector<Message> identifyRemarks(const IdentifyReport& report, const RecordAnswer& answer,
                                      const ReadingStyle& style);
-/// Returns the first sentence about a record: whether the model agrees with it and what is known.
+/// Returns the first sentence about a record: whether the model agrees with it, and which rock parameters it
+/// determines.
 Message identifySentence(const RecordAnswer& answer);
-/// Returns the first sentences about several records: with how many the model agrees, and what stiffness the
-/// next blow will meet. Empty for a single record.
+/// Returns a sentence about several records. It says with how many of them the model agrees, and which
+/// stiffness the rock will have at the next blow (95 % interval). Empty for a single record.
 Message recordsSentence(const IdentifyFindings& findings, const ReadingStyle& style);
 /// Returns the name of a record: its file, followed by the number of the blow (from 1) if `hasBlows`, as for
 /// files with several blows.
@@ -72,15 +73,16 @@ Message recordVerdict(const RecordAnswer& answer);
 /// Returns the most likely reason why the model disagrees with a rejected record.
 Message rejectionReason(const RecordAnswer& answer);
 
-/// Returns the name of a size of a section, with its key if the reader uses commands: "diameter of bit head
-/// (string.bit_head.diameter)". A key that is not a parameter is returned unchanged.
+/// Returns the name of a dimension of a section, such as its diameter. If the reader uses commands, its key
+/// follows: "diameter of bit head (string.bit_head.diameter)". If `key` is not a parameter, it is returned
+/// unchanged.
 Message sizeWords(const std::string& key, const Scenario& scenario, const ReadingStyle& style);
-/// Returns a length of some millimetres (SI), such as a gap, as text in mm. If the reader chose another unit
-/// for such lengths, it is used instead.
+/// Returns a short length such as a gap as text, in mm or in the unit that the reader chose for such lengths.
+/// `si` is in m.
 std::string shortLength(double si, int digits, const ReadingStyle& style);
 
-/// One identified value in words, for example "rock when it is first loaded", "stiffness", "131.2 MN/m",
-/// "127.1 MN/m … 135.4 MN/m", "known".
+/// Row of a table of identified values, for example "rock when it is first loaded", "stiffness", "131.2
+/// MN/m", "127.1 MN/m … 135.4 MN/m", "known".
 struct IdentifyRow {
     std::string key;  ///< key of the parameter
     Message what, term;
@@ -88,8 +90,8 @@ struct IdentifyRow {
     std::string interval;  ///< 95 % interval; empty if it is not bounded on both sides
     Message verdict;
 };
-/// Returns the rows of a table of identified values: those of a record, then those for the next blow if there
-/// are several records.
+/// Returns the rows of a table of identified values: first the values of one record. If there are several
+/// records, the values expected at the next blow follow.
 std::vector<IdentifyRow> identifyRows(const RecordAnswer& answer,
                                       const std::vector<NextBlowParameter>& nextBlow,
                                       const ReadingStyle& style);
@@ -99,24 +101,25 @@ struct IdentifyLimit {
     Message cause;
     std::string key;  ///< key of option --known that sets this tolerance; empty if there is none
     Message tolerance;
-    /// Effect of this source of error on stiffness and gamma: relative half-width of the 95 % interval that
-    /// it causes. Empty if the record does not determine the parameter.
+    /// Relative half-width of the 95 % interval of stiffness or gamma that this source of error causes. Empty
+    /// if the record does not determine the parameter.
     std::optional<double> onStiffness, onGamma;
     bool isAssumed = false;
 };
 /// Returns at most six sources of error, the largest first; empty for a record that is refused or rejected.
 std::vector<IdentifyLimit> identifyLimits(const RecordAnswer& answer, const Scenario& scenario,
                                           const ReadingStyle& style);
-/// Returns an effect of IdentifyLimit as text: a percentage, "over 100 %", or "-" if it is empty.
+/// Returns the relative error IdentifyLimit::onStiffness or onGamma as text: a percentage, "over 100 %", or
+/// "-" if it is empty.
 Message limitWords(std::optional<double> effect, const ReadingStyle& style);
 /// Returns a sentence that recommends the measurement that would best reduce the error of the identified
 /// rock; empty if none is known.
 Message identifyNext(const RecordAnswer& answer, const Scenario& scenario, const ReadingStyle& style);
 
-/// Returns the figure of a record that is not refused; it must be one of the findings. Panels from top to
-/// bottom: waves over time, residual of the model, force over penetration. With several records, the last
-/// panel shows stiffness and gamma of all records instead. Times are those of the record; compression is
-/// positive.
+/// Returns the figure of one record of `findings` that is not refused. Panels from top to bottom: measured
+/// and computed waves over time, residual of the model, force over penetration. With several records, two
+/// panels with stiffness and gamma of all records replace the last one. Times are those of the record;
+/// compression is positive.
 StudyFigure identifyFigure(const IdentifyFindings& findings, const RecordAnswer& answer);
 
 }  // namespace drillwave

@@ -18,8 +18,8 @@ Json unitJson(Quantity quantity);
 /// Returns a JSON object with the dimensionless groups beta, gamma, tau and delta.
 JsonObject groupsJson(const Groups& groups);
 
-/// Members with which the JSON of every command on a scenario begins, such as the scenario text and the
-/// method.
+/// Data for the first members of the JSON of every command that takes a scenario, such as the scenario text
+/// and the method.
 struct JsonHead {
     const Scenario& scenario;
     std::string_view scenarioText;            ///< scenario file that reproduces the scenario
@@ -28,8 +28,8 @@ struct JsonHead {
     std::optional<double> runTime = {};  ///< elapsed computing time [s]
 };
 
-/// Returns a JSON object with `version`, `title`, `scenario`, `groups` and, if given, `method`, `segments`,
-/// `units` and `run_time` (files §5).
+/// Returns a JSON object with the members `version`, `outputs`, `title`, `scenario` and `groups` (files §5).
+/// `method`, `segments`, `units` and `run_time` follow if they are given.
 JsonObject headJson(const JsonHead& head);
 
 }  // namespace drillwave

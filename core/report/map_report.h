@@ -32,12 +32,13 @@ std::string mapText(const MapReport& report, const ReadingStyle& style = plainSt
 /// contours with all their points (commands §4.9).
 std::string mapJson(const MapReport& report);
 
-/// Beginning of the header of the CSV of contoursCsv(), by which such files are recognised.
+/// First characters of a CSV file written by contoursCsv(). The program uses them to recognise such a file of
+/// an earlier run.
 inline constexpr std::string_view contoursCsvBegin = "level,line,";
 
 /// Returns all points of the contours as CSV. Columns are level, number of the line (from 1, counted through
-/// all levels), x and y in the units of the axes, and output. Residual and width of the jump follow; the
-/// width is empty if the output does not jump at the point.
+/// all levels), x and y in the units of the axes, and output. The last two are the residual |output − level|,
+/// and the width of the jump if the output jumps at the point.
 std::string contoursCsv(const MapReport& report);
 
 }  // namespace drillwave

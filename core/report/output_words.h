@@ -11,8 +11,8 @@ namespace drillwave {
 /// Returns the name of an output for selection boxes and axis titles: "peak force", "COR e".
 Message outputMessage(const Output& output);
 
-/// Returns the kind of quantity that a figure's axis shows for a column. It is a multiple of a scale such as
-/// F0, a plain number, or an SI value for outputs without a dimensionless form. `size` is the typical
+/// Returns the quantity that the axis of a figure shows for an output column. It is a multiple of a scale
+/// such as F0, a plain number, or an SI value for outputs without a dimensionless form. `size` is the typical
 /// magnitude of such SI values.
 FigureQuantity figureQuantity(const OutputColumn& column, double size);
 

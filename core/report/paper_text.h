@@ -8,18 +8,18 @@
 
 namespace drillwave {
 
-/// Beginning of a text, as much as fits into a number of lines on paper.
+/// Beginning of a text that fits into a given number of lines on paper.
 struct PaperLines {
     std::string text;     ///< text with line breaks added where a line would be too long
     bool isWhole = true;  ///< whether the text is complete, with nothing omitted
 };
 
-/// Returns the first `lines` lines of a text, broken at `columns` columns. A tab and characters of wide
-/// scripts take several columns.
+/// Returns the first `lines` lines of a text. Longer lines are broken after `columns` columns. A tab and wide
+/// characters (such as Chinese ones) take several columns.
 PaperLines linesOnPaper(std::string_view text, std::size_t lines, std::size_t columns);
 
-/// Returns a text of one line for a table cell. Text wider than `columns` columns is cut and ends with "…".
-/// Words that would widen the column may be broken anywhere (marked by U+200B).
+/// Returns a text in one line, for a table cell. A text wider than `columns` columns is cut and ends with
+/// "…". Long words are marked (by U+200B) so that they may be broken anywhere.
 std::string cellOnPaper(std::string_view text, std::size_t columns);
 
 }  // namespace drillwave

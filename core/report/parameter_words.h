@@ -11,7 +11,7 @@
 namespace drillwave {
 
 /// Returns the label of a parameter without its symbol, such as "stiffness", "length of hammer 1" or "force
-/// of corner 2".
+/// of corner 2" (of the rock law).
 Message labelMessage(const Parameter& parameter);
 
 /// Returns the label of a parameter, followed by its section in the words `section`, such as "length of 2nd

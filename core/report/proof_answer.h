@@ -15,13 +15,14 @@ namespace drillwave {
 StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const Accuracy& accuracy, double runTime = 0);
 StudyAnswerPtr accuracyAnswer(const Scenario& scenario, const StringAccuracy& accuracy, double runTime = 0);
 
-/// Returns the result of a stability study. Its figure shows the worst check of each case relative to its
-/// limit, over β/γ, the fastest rate of the impact force [1/t0]. Figure and table list the worst case first,
-/// the CSV keeps the order of the cases.
+/// Returns the result of a stability study. Its figure shows, for each test case, the check that comes
+/// closest to its limit or exceeds it most, as a share of the limit. The x axis is β/γ, the fastest rate of
+/// the impact force [1/t0]. Figure and table list the worst case first; the CSV keeps the order of the cases.
 StudyAnswerPtr stabilityAnswer(const StabilityReport& report, double runTime = 0);
 
-/// Returns the measured accuracy of a uniform rod for the numbers of segments in `ladder` (see
-/// measureAccuracy()), or of a drill string (see measureStringAccuracy()).
+/// Returns the result of an accuracy study: the errors and computing times of the methods. For a uniform rod,
+/// `ladder` lists the numbers of lattice segments to compare (see measureAccuracy()). For a drill string, it
+/// is ignored (see measureStringAccuracy()).
 StudyAnswerPtr studyAccuracy(const Scenario& scenario, const std::vector<int>& ladder, const StudyWork& work);
 
 }  // namespace drillwave

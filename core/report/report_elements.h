@@ -18,11 +18,11 @@ enum class ReportMedium {
     paper,   ///< subset of HTML that QTextDocument supports; long scenarios are truncated
 };
 
-/// Returns a reason as a sentence, with a capital letter and a full stop. Names such as e are not
-/// capitalised.
+/// Returns a phrase that states a reason, changed to a sentence with a capital letter and a full stop. Names
+/// such as e at its start are not capitalised.
 std::string asSentence(std::string reason);
 
-/// Writer of the elements of a page, in the language and units of a reader.
+/// Writer of the HTML elements of a report page, in the language and units of the reader.
 class ReportElements {
   public:
     /// Stores a reference to the style, which must outlive this object.
@@ -34,8 +34,8 @@ class ReportElements {
 
     std::string paragraph(const Message& text) const;
     std::string heading(const Message& text) const;
-    /// Returns an HTML table with a rule below each line. `rows` is the HTML of its rows. The table is more
-    /// compact on paper.
+    /// Returns an HTML table with the identifier `id` and a line below each row. `rows` is the HTML of the
+    /// rows. On paper, the spacing is narrower.
     std::string table(const std::string& id, const std::string& rows) const;
     std::string alert(const Alert& alert) const;
 

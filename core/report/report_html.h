@@ -16,11 +16,12 @@ namespace drillwave {
 struct ReportPicture {
     std::string name;     ///< name of the plot, such as "blow"
     std::string caption;  ///< caption, one sentence
-    /// Source of the <img> element: a data: URI, or a name that the printer of the page can resolve.
+    /// Source of the <img> element: a data: URI, or a name that the document on paper (QTextDocument)
+    /// resolves.
     std::string source;
 };
 
-/// Name of the picture that shows the sections of a string.
+/// Name of the picture that shows the sections of the drill string.
 inline constexpr std::string_view stringPicture = "string";
 
 /// Default maximum number of lines of the scenario file in a printed report, about two pages of small type.
@@ -36,8 +37,8 @@ std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture
                        ReportMedium medium, const ReadingStyle& style = plainStyle(),
                        std::size_t paperLines = mostPaperLines);
 
-/// Returns version, method, title and scenario as JSON from the top of a report page for the screen; empty if
-/// there are none.
+/// Returns the JSON at the top of a report page for the screen, with version, method, title and scenario. The
+/// program uses it to open the scenario of the report. Empty if the page has none.
 std::string_view reportRecord(std::string_view html);
 
 /// Returns the title of the report, for a heading and the properties of a file.

@@ -19,14 +19,14 @@ struct DrillingScan;
 inline constexpr std::string_view drillStudyName = "drill", designStudyName = "design";
 inline constexpr std::array reportStudyNames{drillStudyName, designStudyName};
 
-/// Studies that a report includes on request, all of the report's scenario. A member is nullptr if its study
-/// was not made.
+/// Studies that a report includes on request, all for the scenario of the report. A member is nullptr if its
+/// study was not made.
 struct ReportStudies {
     std::shared_ptr<const DrillingResult> drilling;
-    /// Scan over several values of a parameter; has at least one point.
+    /// Scan: sequences of blows for several values of a parameter; has at least one value.
     std::shared_ptr<const DrillingScan> scan;
-    /// Report of a design study; nullptr if there is none or if it has no best design. Its scenario text may
-    /// be empty.
+    /// Report of a design study; nullptr if there was no such study or no best design. Its scenarioText may
+    /// be empty, as the HTML sections do not use it.
     std::shared_ptr<const DesignReport> design;
 };
 

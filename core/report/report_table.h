@@ -39,8 +39,8 @@ class Cell {
 
 using Cells = std::vector<Cell>;
 
-/// Table of headers and rows. The cells of a row are created when the table is written, so a long table needs
-/// no memory. The data that `cellsOf` uses must outlive the table.
+/// Table of headers and rows, for output as CSV. The cells of each row are created only when it is written,
+/// so a long table needs little memory. The data that `cellsOf` uses must outlive the table.
 struct ReportTable {
     std::vector<std::string> headers;  ///< headers of the columns, with units
     std::size_t rows = 0;

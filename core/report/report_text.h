@@ -27,11 +27,11 @@ std::string paragraph(std::string_view words);
 /// Returns sentences joined by spaces, in the language of the reader.
 std::string inOneParagraph(const std::vector<Message>& sentences, const ReadingStyle& style = plainStyle());
 
-/// Alignment of all cells of a line except the first, which is always left-aligned.
+/// Alignment of the cells in a line. The first cell of a line is always left-aligned.
 enum class CellAlignment { left, right };
 
-/// Table of text cells in aligned columns. The last cell of a line with one or two cells is a note, which
-/// does not widen its column.
+/// Table of text cells in aligned columns. In a line with one or two cells, the last cell is a note, which
+/// may be wider than its column.
 class TextGrid {
   public:
     explicit TextGrid(CellAlignment alignment = CellAlignment::right) : m_alignment(alignment) {}
@@ -43,8 +43,8 @@ class TextGrid {
     std::string text() const;
 
   private:
-    /// Returns the widths of the columns, in characters. The last cell of a line with one or two cells is not
-    /// counted.
+    /// Returns the widths of the columns, in characters. The last cell of a line with one or two cells is a
+    /// note, which has no influence on the widths.
     std::vector<std::size_t> widths() const;
 
     CellAlignment m_alignment;

@@ -14,9 +14,9 @@ namespace drillwave {
 TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// Returns a table with headings and one line per section of hammer and string. A line has the largest
-/// stresses, their position and time, and the share of the hammer energy reflected by the joint at its far
-/// end. If sections have strengths, stresses are also given as shares of them. Requires a blow with the
-/// forces in its sections.
+/// stresses with position and time. For sections of the string, it also has the share of the hammer energy
+/// that the joint to the next section reflects. Where sections have strengths, the stresses are also given in
+/// per cent of them. Requires a blow with the forces in its sections.
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -30,9 +30,9 @@ std::vector<Message> sequenceSentences(const DrillingResult& result,
 /// Returns the sentences of sequenceSentences() as one paragraph, in the language of the reader.
 std::string sequenceText(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
-/// Returns sentences on the value of a scan with the highest penetration rate, if the errors allow a
-/// decision. They say by how much its rate exceeds that of `present`. Empty if no value has statistics, and
-/// if the parameter has words instead of numbers.
+/// Returns sentences that say which value of a scan has the highest penetration rate, and by how much its
+/// rate exceeds that of `present`. If the errors are too large to decide, the sentences say so. Empty if no
+/// value has statistics, or if the scanned values are words.
 std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional<Sequence>& present,
                                    const ReadingStyle& style = plainStyle());
 

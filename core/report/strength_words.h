@@ -10,9 +10,10 @@
 
 namespace drillwave {
 
-/// Returns a sentence such as "The most heavily loaded section (3rd rod) has a tension of 362 MPa, which is
-/// 90.4 % of its fatigue strength of 400 MPa." The number of sections without a strength follows. If no
-/// section has one, asks for strengths. Empty without stresses.
+/// Returns a sentence on the section that is nearest to its strength. Example: "The most heavily loaded
+/// section (3rd rod) has a tension of 362 MPa, which is 90.4 % of its fatigue strength of 400 MPa." The
+/// number of sections of the string without a strength follows. If no section has one, the sentence asks for
+/// strengths. Empty without stresses.
 Message strengthSentence(const Scenario& scenario, const std::vector<SectionStress>& stresses,
                          const ReadingStyle& style);
 

@@ -55,12 +55,12 @@ struct QuantityControl {
 /// Input on the page for a parameter range, "KEY=START:STOP[:log]": a list of the parameters that apply to
 /// the scenario, and fields for both ends of the range.
 struct RangeControl {
-    /// Keys of parameters that the list offers first; of these, the first that applies to the scenario is
-    /// chosen initially.
+    /// Keys of the parameters at the top of the selection list. The first of them that applies to the
+    /// scenario is selected initially.
     std::vector<std::string_view> preferred;
 };
 
-/// Type for an option that the page does not offer, only the command line.
+/// Control of an option that only the command line offers, not the page.
 struct NoControl {};
 
 /// Options that must be given together or not at all. A selection box on the page chooses between giving them
@@ -86,7 +86,7 @@ struct StudyOption {
     const StudyGroup* group = nullptr;  ///< group of options that this option belongs to; nullptr for none
 };
 
-/// Axis along which a study writes rows of CSV, with the name of the option that sets the axis.
+/// Axis of the parameter values for which a study writes CSV rows, with the name of the option that sets it.
 struct StudyAxis {
     std::string_view option;
     SweepAxis axis;
@@ -121,24 +121,25 @@ class StudyAnswer {
     /// solved …". Empty if it is complete.
     virtual Message gap() const = 0;
     /// Returns why some rows of csv() lack numbers, as a phrase that can follow a file name: "FILE: 3 of 50
-    /// points could not be solved …". Empty if none do.
+    /// points could not be solved …". Empty if all rows are complete.
     virtual Message gapInRows() const { return {}; }
-    /// Returns whether csv() has any rows; an incomplete result may have some.
+    /// Returns whether csv() has any rows. By default only a complete result has rows; a study may also
+    /// return rows of an incomplete one.
     virtual bool hasRows() const { return gap().isEmpty(); }
     /// Returns the result in sentences. Requires a complete study; by default there are none.
     virtual std::vector<Message> sentences(const ReadingStyle& /*style*/) const { return {}; }
     /// Returns the figure for one of Study::views, given by its index; also available for a preview.
     virtual StudyFigure figure(std::size_t view) const = 0;
-    /// Returns the point of the figure at which a scenario is marked. The scenario may differ from that of
-    /// the result only in the parameters on the axes. Empty if the point is outside the figure.
+    /// Returns the point of the figure at which `scenario` is marked. It may differ from the scenario of the
+    /// result only in the parameters on the axes. Empty if the point is outside the figure.
     virtual std::optional<FigurePoint> placeOf(const Scenario& /*scenario*/, std::size_t /*view*/) const {
         return std::nullopt;
     }
-    /// Returns the series with which this result is drawn over the figure of another scenario's result, up to
-    /// x = `until`. By default it is the first series of the figure.
+    /// Returns this result as a series, drawn for comparison over the figure of another scenario up to x =
+    /// `until`. Without an override it is the first series of the figure.
     virtual std::optional<FigureSeries> overlay(std::size_t view, double until) const;
     /// Returns the point of the figure at which the blow of a pinned run (a run kept for comparison) is
-    /// marked; used if Study::marksBlows is set. Empty if there is none.
+    /// marked. Called only if Study::marksBlows is set. Empty if the figure has no such point.
     virtual std::optional<FigurePoint> placeOfBlow(const Blow& /*blow*/) const { return std::nullopt; }
     /// Returns the table of numbers that the page shows below the figure; empty by default.
     virtual StudyTable table(const ReadingStyle& /*style*/) const { return {}; }
@@ -196,10 +197,11 @@ struct Study {
     /// Text on the page if the scenario cannot have this study: the reason and, if there is one, the other
     /// page that has the result.
     const char* elsewhere;
-    /// Whether the page Curve (tab COR–stiffness or Efficiency–stiffness) can show results over the gap if
-    /// the scenario cannot have this study.
+    /// Whether `elsewhere` refers to the page Curve (tab COR–stiffness or Efficiency–stiffness). A button on
+    /// the page then opens it with results over the gap.
     bool isElsewhereOverGap = false;
-    /// Function that removes from a scenario the values that do not influence the result.
+    /// Function that removes from a scenario the values that do not influence the result. Questions with the
+    /// same result then compare equal.
     void (*reduce)(Scenario& scenario);
     /// Function that returns why a question cannot be answered although whyNot() accepts its scenario, for
     /// example because of a wrong option. Empty if it can be answered.
@@ -213,20 +215,21 @@ struct Study {
     /// Whether the study is about the feed force: its page is listed after those of single blows, and its
     /// command after `drill`.
     bool isOfFeed = false;
-    /// Keys of optional parameters that the page asks for if the scenario lacks them.
+    /// Keys of optional parameters that the study needs. The page asks the user for those that the scenario
+    /// lacks.
     std::vector<std::string_view> asked = {};
-    /// Function that returns why there is no result until the parameters in `asked` are given; its message is
-    /// empty if they are. nullptr if the study asks for none.
+    /// Function that returns a message about which of the parameters in `asked` must still be entered. The
+    /// message is empty if none is missing. nullptr if `asked` is empty.
     Message (*lacks)(const Scenario& scenario, const ReadingStyle& style) = nullptr;
-    /// Function that returns the axis over which the options of a question request CSV rows; nullptr if the
-    /// rows need no axis.
+    /// Function that returns the parameter axis whose values become the CSV rows; empty if the options of the
+    /// question set none. nullptr if the study has no option for an axis.
     std::optional<StudyAxis> (*axis)(const StudyQuestion& question) = nullptr;
     std::string_view threadsHelp = {};  ///< help text for -j; empty if the study always uses all threads
     bool hasWorkLimit = false;          ///< whether the command has the option --work-limit
     /// Accessible name of the table on the page, for a screen reader; nullptr without a table.
     const char* tableName = nullptr;
-    /// Whether pinned runs (runs kept for comparison) are only marked in the figure, and the study is not
-    /// made for them.
+    /// Whether pinned runs (runs kept for comparison) appear in the figure only as points, from
+    /// placeOfBlow(). Otherwise the study is also computed for each pinned run.
     bool marksBlows = false;
 
     /// Returns the question of this study for a scenario and option values. Scenario values without influence
@@ -234,8 +237,8 @@ struct Study {
     StudyQuestion question(Scenario scenario, StudyWords words) const;
 };
 
-/// Returns all studies that are described by a Study object, in the order of commands and pages. Defined in
-/// its own source file, so that a program can add others.
+/// Returns all studies that are described by a Study object, in the order in which commands and pages list
+/// them. Defined in its own source file, so that a program can be linked with another list.
 std::vector<const Study*> studies();
 
 /// Returns the value typed for an option; nullptr if it was not given.

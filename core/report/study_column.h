@@ -13,7 +13,8 @@
 
 namespace drillwave {
 
-/// Kind of a number in a table for people, which selects its format.
+/// Kind of a number in a table for people, which selects its format: numerical error, time [s], count,
+/// factor, or order of convergence.
 enum class NumberStyle { error, time, count, factor, order };
 
 /// Returns a number as text for people; "-" if it is NaN.

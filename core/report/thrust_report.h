@@ -35,16 +35,18 @@ struct ThrustReport {
 /// installed one (theory §10).
 const Study& thrustStudy();
 
-/// Returns the figure of a report that has a curve along a parameter. Strips show the required feed forces,
-/// shaded layers the states of the feed (such as "below required"), and a line the feed force itself.
+/// Returns the figure of a report that has a curve along a parameter. For each case, a strip runs from the
+/// required feed force to the one that returns the rod in time. Shaded layers show the ratings of the feed
+/// force, such as "not enough". A line shows the effective feed force.
 StudyFigure thrustFigure(const ThrustReport& report);
 
 /// Returns a table of the required feed force: headings, then one line for each case of ThrustCase that is
 /// known, such as this blow or rigid rock. Requires a study with a result.
 TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
-/// Returns sentences on the required feed force: the estimate, the benefit of more force, the share of gaps
-/// covered, and the margin. `shareCovered` is ThrustStudy::shareFull; empty if it is not known.
+/// Returns sentences on the required feed force: the estimate, the benefit of more force, the margin, and the
+/// share of gaps for which the force is enough. `shareCovered` is that share (ThrustStudy::shareFull); empty
+/// if it is not known.
 std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimate& feed,
                                      const std::optional<double>& shareCovered,
                                      const ReadingStyle& style = plainStyle());
@@ -62,12 +64,12 @@ inline constexpr std::uint64_t customaryThrustPoints = 101;
 /// Returns all values of an axis in SI units.
 std::vector<double> valuesOf(const SweepAxis& axis);
 
-/// Returns one CSV row for each point. First comes the parameter in the unit of its axis. For the four cases,
-/// the required feed forces f I0 (1 + e) [N] follow. Then, with the suffix `_undamped`, there are those that
-/// return an undamped rod in time, f I0 (1 + 2e) [N].
-/// The effective feed force [N], its margin over the largest required one, and the gap at the blow [m],
-/// computed from the e of this blow, follow. The last columns are n_b (round trips of a wave between blows)
-/// and the verdict. Unknown values are empty cells.
+/// Returns one CSV row for each point. First comes the parameter in the unit of its axis. The required feed
+/// forces f I0 (1 + e) [N] of the four cases (ThrustCase) follow. Next, with the suffix `_undamped`, are the
+/// forces that return an undamped rod in time, f I0 (1 + 2e) [N]. The effective feed force [N], its margin
+/// over the largest required one, and the gap at the blow [m], computed from the e of this blow, follow. The
+/// last columns are n_b (round trips of a wave between blows) and the verdict. Unknown values are empty
+/// cells.
 std::string thrustCsv(const ThrustAlong& along);
 
 }  // namespace drillwave

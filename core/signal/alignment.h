@@ -44,13 +44,14 @@ struct Misfit {
     double computedPeak = 0;  ///< largest absolute value of the computed force, tension or compression [N]
     /// Largest absolute value of the measured force minus that of the computed one [N].
     double peakDifference = 0;
-    /// Delay of the measured force relative to the best agreement [s]: the given shift minus the result of
-    /// bestShift(). Empty if bestShift() finds none.
+    /// Delay of the measured force [s] relative to the position at which it agrees best with the computed
+    /// one: the given shift minus the result of bestShift(). Empty if bestShift() finds none.
     std::optional<double> lag;
 };
 
-/// Returns the difference between a measured and a computed force at 2001 equally spaced times. Adds
-/// `shift` [s] to the times of the measured points. Returns nullopt if they have no time in common.
+/// Returns the difference between a measured and a computed force at 2001 equally spaced times. Adds `shift`
+/// [s] to the times of the measured points before the comparison. Returns nullopt if the two forces have no
+/// time in common.
 std::optional<Misfit> misfitOf(const TablePoints& measured, double shift,
                                const std::function<double(double time)>& computed, double end);
 

@@ -62,7 +62,8 @@ class CaseRecords {
     std::istream m_in;
     std::unique_ptr<CsvReader> m_reader;
     RowFormat m_format;
-    /// Whether the decimal sign is the point. Then only cells with non-ASCII characters are converted.
+    /// Whether the decimal sign of the table is the point. If true, only cells with non-ASCII characters are
+    /// converted to C notation; otherwise all cells are.
     bool m_isPlain = true;
     std::optional<CsvRecord> m_ahead;  ///< first record after empty rows, read in advance; empty without one
     int m_aheadLine = 0;

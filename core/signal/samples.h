@@ -31,7 +31,8 @@ struct SampleSource {
     double interval = 1e-6;       ///< interval between samples, if there is no column of times [s], > 0
     double start = 0;             ///< time of the first sample, if there is no column of times [s]
     std::size_t valueColumn = 0;  ///< index of the column of the signal, from 0
-    /// Index of the column of an opposite gauge, if any; the mean of both cancels bending.
+    /// Index of the column of a second gauge on the opposite side of the bar, if any. The mean of both
+    /// gauges is used, in which bending cancels.
     std::optional<std::size_t> secondGauge;
     WrongRows wrongRows = WrongRows::refused;
     TextEncoding encoding = TextEncoding::found;
@@ -44,8 +45,8 @@ struct Samples {
     /// SampleSource::start.
     std::vector<double> time;
     std::vector<double> value;  ///< values in the unit of the table, one for each time
-    /// Number of jumps: two samples at the same time in the table. The second one is stored at the next
-    /// larger double.
+    /// Number of jumps of the signal: places in the table where two samples have the same time. The second
+    /// of them is stored with the next larger double as its time.
     std::size_t jumps = 0;
     std::size_t skipped = 0;       ///< number of skipped rows
     std::size_t firstSkipped = 0;  ///< line of the first skipped row, counted from 1
@@ -65,18 +66,19 @@ struct Samples {
     double firstTime = 0;
 };
 
-/// Largest number of samples, 160 MB; a table with more is refused.
+/// Largest number of samples (160 MB of memory); a table with more is refused.
 inline constexpr std::size_t mostSamples = 10'000'000;
 
-/// Returns the sampling rate [Hz] that follows from the first and last time [s] and the number of samples. It
-/// is rounded to as few digits as the times allow: the first time is rounded to `firstStep` [s], the last one
-/// to `lastStep` [s].
+/// Returns the sampling rate [Hz]: the number of intervals between `samples` samples, divided by the time
+/// from `first` to `last` [s]. `firstStep` and `lastStep` [s] are the rounding steps of these two times. The
+/// rate is rounded to the fewest digits that agree with the rounded times.
 double estimatedRate(double first, double last, std::size_t samples, double firstStep, double lastStep);
 
 /// Reads the samples from all rows except blank lines and comments. A row with a cell that is no number is
-/// refused with its line, or skipped and counted. Times must increase, except at a jump, where one time has
-/// two values. If times repeat more often, they are too coarse: the result has a problem and an estimated
-/// sampling rate. Calls `tell` with the number of bytes read. After a stop request the problem is "stopped".
+/// an error with its line number, or is skipped and counted (see WrongRows). Times must increase, except at
+/// a jump, where two samples have the same time. If more samples have the same time, the times are too
+/// coarse. The result then has a problem and an estimated sampling rate. Calls `tell` with the number of
+/// bytes read so far. After a stop request the problem is "stopped".
 Samples readSamples(std::istream& in, const SampleSource& source, const std::stop_token& stop = {},
                     const std::function<void(std::uint64_t bytes)>& tell = {});
 
@@ -88,23 +90,25 @@ struct SampleGuess {
     bool hasTimeUnit = false;             ///< whether the table states the unit of times, or has times of day
     /// Whether the table states the sampling rate with its unit; only for a table without a column of times.
     bool hasRate = false;
-    /// Number of other columns that are equally likely to be the signal.
+    /// Number of other columns that are equally likely to be the signal. If it is not 0, the user must
+    /// choose.
     std::size_t rivals = 0;
     bool operator==(const SampleGuess&) const = default;
 };
 
-/// Returns the probable columns of time and signal. Time is the first column of times of day, or of numbers
-/// with a unit or name of time, else the first of several columns. The signal is the first other column with
-/// a unit of a signal, else with the name of a force or strain, else the first other one. Columns that count
-/// rows come last. A single column is evenly spaced.
+/// Returns the probable columns of time and signal, as a proposal for the user. Time is the first column of
+/// times of day, or of numbers with a unit or name of time, otherwise the first of several columns. The
+/// signal is the first other column with a unit of a signal. If there is none, it is the first one with the
+/// name of a force or strain, otherwise any other one. Columns with row numbers are the last choice. A single
+/// column is taken as evenly spaced samples.
 SampleGuess guessedSource(const DetectedTable& table);
 
 /// Returns the kind of signal and unit that the heading of a column states; nullopt if it states no known
 /// unit of a signal.
 std::optional<NamedSignalUnit> statedUnit(const TableColumn& column);
 
-/// Returns the unit of a column of times [s], 1 for times of day; nullopt if the heading states no known
-/// unit.
+/// Returns the length in seconds of the unit in the heading of a column of times, such as 1e-3 for "time
+/// [ms]". It is 1 for times of day, and nullopt if the heading has no known unit of time.
 std::optional<double> statedTimeUnit(const TableColumn& column);
 
 /// Returns the probable kind of a signal whose heading has no unit: a strain if its name says so, else a

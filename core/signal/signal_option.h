@@ -27,8 +27,9 @@ std::span<const SignalOption> signalOptions();
 /// Returns the option with this name, such as "time-unit", or nullptr.
 const SignalOption* findSignalOption(std::string_view name);
 
-/// Returns names and values of the given options that belong to a recorder, not to a single record: all
-/// except zero line, time range and sign. Setting them again gives the same options.
+/// Returns names and values of the given options that describe the recorder, so that they can be stored for
+/// other records. These are all except zero line, time range and sign. SignalOption::set restores them from
+/// the texts.
 std::vector<std::pair<std::string, std::string>> recorderSettings(const SignalOptions& options);
 
 /// Returns the command-line option that answers a question in SignalReading::questions: "--unit" for "unit".

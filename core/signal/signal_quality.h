@@ -21,11 +21,12 @@ struct SignalQuality {
     /// Zero line, the mean value before the blow, as a share of the peak; nullopt if fewer than 50 samples
     /// are before the blow.
     std::optional<double> offset = {};
-    /// Drift: change of the mean value without load in 1 ms as a share of the peak; nullopt if it does not
-    /// exceed the noise.
+    /// Drift of the signal without load: change of its mean value in 1 ms, as a share of the peak. It is
+    /// nullopt if the change does not exceed the noise.
     std::optional<double> drift = {};
     double noise = 0;  ///< standard deviation before the blow, as a share of the peak
-    /// Resolution of the recorder as a share of the peak; 0 if no steps are found.
+    /// Resolution of the recorder: step between two neighbouring values that it can record, as a share of
+    /// the peak. It is 0 if no such steps are found.
     double step = 0;
     /// Whether the resolution is coarser than the noise, so that averaging cannot improve it.
     bool isQuantised = false;
@@ -34,17 +35,19 @@ struct SignalQuality {
     /// Whether the record is probably clipped: more samples are equal to its largest or smallest value than
     /// noise allows.
     bool isClipped = false;
-    /// Largest deviation of a time step from the usual step, as a share of that step.
+    /// Largest deviation of a time step from the usual (median) step, as a share of that step. Steps far from
+    /// it, such as pauses, do not count.
     double jitter = 0;
     bool hasJitter = false;  ///< whether the times are from a clock whose steps vary by more than 2 %
     double gap = 0;          ///< longest pause in the times [s]; 0 if there is none
     std::size_t blows = 1;   ///< number of blows: steep rises after at least 1 ms without a signal
-    /// Root mean square of half the difference of opposite gauges, as a share of the peak.
+    /// Measure of bending: root mean square of half the difference between opposite gauges, as a share of
+    /// the peak. Empty with only one gauge.
     std::optional<double> gaugeDifference = {};
 };
 
-/// Returns the quality of a record. Requires samples without a problem. The values from which a record counts
-/// as clipped, noisy or drifting are in the theory of identification, section 2.
+/// Returns the quality of a record. Requires samples without a problem. The thresholds above which a record
+/// counts as clipped, noisy or drifting are in the theory of identification, section 2.
 SignalQuality signalQuality(const Samples& samples);
 
 /// Remark on the quality of a record: its code ("clipped") and a sentence.

@@ -28,8 +28,8 @@ struct SignalScale {
     bool operator==(const SignalScale&) const = default;
 };
 
-/// Information about a record from the user, which the table does not give or gives wrongly. Empty members
-/// are taken from the table.
+/// Data about a record that the user enters because the table lacks them or gives them wrongly. Members
+/// without a value are read from the table.
 struct SignalOptions {
     std::optional<char> separator = {};
     std::optional<DecimalSign> decimal = {};
@@ -44,9 +44,10 @@ struct SignalOptions {
     std::optional<SignalScale> scale = {};
     /// Amplifier gain, supply of the bridge [V], bridge factor, gauge factor.
     std::optional<double> gain = {}, excitation = {}, bridge = {}, gaugeFactor = {};
-    /// Cross-section of the bar [m²] and its Young's modulus [Pa].
+    /// Cross-section [m²] and Young's modulus [Pa] of the bar that carries the strain gauges.
     std::optional<double> area = {}, modulus = {};
-    /// Times in the table [s] between which the samples are averaged to give the zero line.
+    /// Times in the table [s] between which the samples are averaged. The average is the zero line, which is
+    /// subtracted from all samples.
     std::optional<std::pair<double, double>> zero = {};
     /// Times in the table [s] between which samples are used; without a value, from the beginning or to the
     /// end.
@@ -56,7 +57,8 @@ struct SignalOptions {
     bool operator==(const SignalOptions&) const = default;
 };
 
-/// Data from the scenario of the bar that carries the strain gauges. Data in SignalOptions replace them.
+/// Properties of the bar that carries the strain gauges, taken from the scenario. Values in SignalOptions
+/// replace them.
 struct SignalBar {
     std::optional<double> area = {};       ///< cross-section A [m²]
     std::optional<double> modulus = {};    ///< Young's modulus E [Pa]
@@ -79,8 +81,8 @@ struct SignalReading {
     FactSource unitFrom = FactSource::header;
     Samples samples;  ///< samples of the record: times in s, values in the unit of the table
     SignalQuality quality;
-    /// Recipe by which `blow` was made from the samples. With a smaller number of points in it,
-    /// shapedSignal() gives the same blow with fewer points.
+    /// Recipe by which `blow` was made from the samples. If its `points` is reduced, shapedSignal() gives
+    /// the same blow with fewer points.
     SignalRecipe recipe;
     ShapedSignal blow;  ///< hammer force of the record [N], with all points; empty while a question is open
     /// Force [N], with its sign, that corresponds to the number 1 in the table; 0 if unknown.
@@ -107,17 +109,18 @@ struct SignalReading {
     double peak() const;
 };
 
-/// Returns the interpretation of the record in a stream, which is read several times from its beginning. The
-/// sign is chosen so that the largest value is compression. If the record is a strain or another gauge
-/// signal, or a force with noise, only the part around its peak is used. Times in the options take
-/// precedence.
+/// Reads a record from a stream and returns its interpretation. The stream is read several times from its
+/// beginning. The sign is chosen so that the largest value is compression. Times in the options limit the
+/// part that is used. Without such times, only the part around the peak is used for gauge signals, and for
+/// forces with values of both signs.
 SignalReading readSignal(std::istream& in, const SignalOptions& options, const SignalBar& bar = {},
                          const std::stop_token& stop = {});
 
 /// Returns the transposed text of a table whose channels are rows, with one column for each channel.
 std::string turnedTable(std::istream& in, const RowFormat& format, TextEncoding encoding);
 
-/// Returns the scale that a text gives, "50", "50 kN/V" or "18 kN s/m"; nullopt for any other text.
+/// Returns the scale read from a text of the user: a factor such as "50", or a force per unit of the signal
+/// such as "50 kN/V" or "18 kN s/m". Returns nullopt for any other text.
 std::optional<SignalScale> parseScale(std::string_view text);
 
 }  // namespace drillwave

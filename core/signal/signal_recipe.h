@@ -23,9 +23,9 @@ namespace drillwave {
 std::vector<std::size_t> thinnedCurve(std::span<const double> time, std::span<const double> value,
                                       std::size_t most, const std::stop_token& stop = {});
 
-/// Purpose of the force. A blow starts at time 0 and has only compression; a curve keeps its times. A blow of
-/// which points were left out also keeps its impulse, unless this would move its forces by more than twice
-/// the deviation.
+/// Use of the force. For a hammer force (`blow`), time starts at 0 and the force has only compression; a
+/// `curve` for comparison keeps its times. If points of a blow are left out, its forces are scaled to keep
+/// the impulse. They are not scaled if this would move them by more than twice the deviation.
 enum class SignalUse { blow, curve };
 
 /// Choice of the zero line: the value of the signal without load, which is subtracted from all samples.
@@ -57,8 +57,8 @@ struct SignalRecipe {
     bool operator==(const SignalRecipe&) const = default;
 };
 
-/// Force over time made from samples, with information on how the samples were changed, such as the number of
-/// clipped ones.
+/// Force over time that shapedSignal() makes from samples, with data on the changes, such as the number of
+/// negative samples set to zero.
 struct ShapedSignal {
     TablePoints points;         ///< time [s] and force [N]; those of a blow are rounded to nine digits
     double start = 0;           ///< time of the table at which the points begin [s]
@@ -74,8 +74,8 @@ struct ShapedSignal {
     std::string problem;   ///< reason why there is no force; then there are no points
 };
 
-/// Returns the force over time that `recipe` makes of the samples. Requires samples without a problem.
-/// Impulses are integrals along straight lines between samples.
+/// Returns the force over time that results when the steps of `recipe` are applied to the samples. Requires
+/// samples without a problem. Impulses are integrals along straight lines between samples.
 ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe,
                           const std::stop_token& stop = {});
 
@@ -88,8 +88,9 @@ struct RecordSpan {
     double from = 0;  ///< time of the record at the start of this part [s]
     double to = 0;    ///< time of the record at the end of this part [s]
 };
-/// Returns the part of the record around its largest absolute value, above the zero line. It begins and ends
-/// where the signal is 2 % of that value. Returns nullopt if all samples equal the zero line.
+/// Returns the part of the record around the sample with the largest distance from the zero line. On both
+/// sides it extends to the sample at which the signal falls to 2 % of this distance or changes sign. Returns
+/// nullopt if all samples equal the zero line.
 std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
 
 /// Returns the sign, +1 or −1, of the sample with the largest absolute value after subtraction of the zero

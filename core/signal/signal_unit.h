@@ -50,8 +50,9 @@ std::optional<double> findRateUnit(std::string_view name);
 /// Returns a sampling rate [Hz] as text with a suitable unit: "5 MHz".
 std::string rateText(double rate);
 
-/// Bar with strain gauges, and the bridge that measures its strain. Normal force N = E A ε, strain
-/// ε = 4 r/(k·n), bridge output r = U/(g·V).
+/// Bar with strain gauges, and the bridge that measures its strain. The normal force is N = E A ε with the
+/// strain ε = 4 r/(k·n) and the bridge output r = U/(g·V). Here k is the gauge factor, n the bridge factor,
+/// U the amplified voltage, g the gain and V the supply.
 struct GaugedBar {
     double axialStiffness = 0;  ///< axial stiffness E A [N], > 0
     double gaugeFactor = 2;     ///< gauge factor k > 0 of the strain gauges; for signals in V/V and V
@@ -83,10 +84,10 @@ struct TableColumn {
     bool operator==(const TableColumn&) const = default;
 };
 
-/// Returns the name and unit in a heading such as "time [us]", "Time (us)", "t / us", "t/us", "t in us",
-/// "t us", "t, us" or "time_us". In "F [kN] filtered" the unit is in the last brackets with a known unit.
-/// Text in brackets at the end, after " / " or after " in " is a unit even if unknown; other forms require a
-/// known unit.
+/// Returns the name and unit in the heading of a table column, such as "time [us]", "Time (us)", "t / us",
+/// "t/us", "t in us", "t us", "t, us" or "time_us". In "F [kN] filtered" the unit is in the last brackets
+/// with a known unit. Text in brackets at the end, after " / " or after " in " is a unit even if unknown. In
+/// the other forms only a known unit counts as a unit.
 TableColumn columnOf(std::string_view heading);
 
 /// Returns whether a word is a known unit of time or of a signal.

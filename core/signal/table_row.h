@@ -57,7 +57,8 @@ struct SignEvidence {
     /// Whether the point or comma in a number such as "1,234" may be a decimal sign or may separate
     /// thousands.
     bool ambiguous = false;
-    /// Sign between groups of three digits: ',', '.', an apostrophe or ' '; 0 for none.
+    /// Character that separates groups of three digits: ',', '.', an apostrophe or ' '; 0 if the cell has no
+    /// such groups.
     char groups = 0;
 };
 /// Returns what a cell shows about the decimal sign and groups of thousands.
@@ -66,8 +67,8 @@ SignEvidence signEvidence(std::string_view cell);
 /// Smallest value that means "overload" in files of recorders.
 inline constexpr double overloadValue = 9.9e37;
 
-/// Returns whether a cell stands for a missing value, as instruments and spreadsheets write it: empty, "NaN",
-/// "#N/A", "-", "OVL", 9.9e37.
+/// Returns whether a cell stands for a missing value, as instruments and spreadsheets write it: an empty
+/// cell, a word such as "NaN", "#N/A" or "-", or a word for overload such as "OVL".
 bool isMissing(std::string_view cell);
 /// Returns whether a cell means that the value exceeded the range of the instrument, "OVL" or 9.9e37.
 bool isOverload(std::string_view cell);

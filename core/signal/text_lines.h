@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Encoding of a text; `found` means that it is detected.
+/// Encoding of a text; for `found`, the reader detects the encoding from the text.
 enum class TextEncoding { found, utf8, windows1252, utf16LittleEndian, utf16BigEndian };
 
 /// Returns the encoding with this name, or nullopt: "utf-8", "windows-1252" (also "latin-1"), "utf-16le",
@@ -41,7 +41,8 @@ class TextLines {
     std::uint64_t bytesRead() const { return m_bytesRead; }
     /// Returns the encoding found so far: UTF-8 until a line has another one.
     TextEncoding encoding() const;
-    /// Returns whether the text ended with NUL bytes.
+    /// Returns whether the text ended with NUL bytes, as in a file that a recorder reserved but did not
+    /// fill.
     bool hasNulTail() const { return m_hasNulTail; }
     /// Returns the beginning of the text as UTF-8: the first block that is read from the stream. Must be
     /// called before the first line is read.

@@ -12,15 +12,17 @@
 
 namespace drillwave {
 
-/// Returns the number of cells, 16 … 256, into which the parameter range is divided; a cell is fitted by one
-/// thread. If the gap is varied, there are 8 cells for each period of the results, within these limits. A
-/// feature narrower than a cell may be missed if the order of events at the bit does not change there.
+/// Returns the number of cells, 16 … 256, into which the parameter range is divided. Each cell is fitted by
+/// one thread. If the gap is varied, there are 8 cells for each period of the results, within these limits. A
+/// feature of the curve that is narrower than a cell may be missed, unless the order of events at the bit
+/// changes there.
 std::size_t cellCount(const CurveQuestion& question);
 
-/// Returns why an output cannot be fitted and is only solved at points; empty if it is fitted.
+/// Returns why no smooth function can be fitted to an output, which is then only solved at points; empty if
+/// it is fitted.
 Message whyRough(const Output& output);
 
-/// Fitted functions of one output in one cell.
+/// Fitted functions of one output in one cell (a part of the parameter range).
 struct CellOutput {
     /// Pieces over shares of the range, ascending. A piece is open (has no function) where the output is not
     /// smooth.
@@ -28,34 +30,36 @@ struct CellOutput {
     Message reason;  ///< reason why pieces without a result have none; empty if all have results
 };
 
-/// Task of fitting one cell (one part of the range) of one line. CellFitter reads the position and stores the
-/// fitted outputs and their cost.
+/// Task of fitting one cell (a part of the parameter range) of one line of curves. CellFitter reads `line`,
+/// `start` and `end`, and stores the fitted outputs and the computing work.
 struct CellTask {
     std::size_t line = 0;
-    /// Start of the cell as a share of the parameter range, 0 … 1; `end` is such a share, too.
+    /// Start of the cell as a share 0 … 1 of the parameter range. The end of the cell, `end`, is also such a
+    /// share.
     double start = 0;
     double end = 1;
     std::vector<CellOutput> outputs;
     std::uint64_t solves = 0;
-    /// Computing work of all blows of this cell: polynomial pieces of waves, or for drill strings time steps
-    /// times nodes.
+    /// Computing work of all blows of this cell: number of polynomial wave pieces, or time steps × nodes for
+    /// drill strings.
     long effort = 0;
 };
 
-/// Returns an open piece: a part of a curve that has results but is not fitted by a function. fillPieces()
-/// later replaces it with straight lines between solved points.
+/// Returns an open piece from `start` to `end`: a part of a curve that has results but is not fitted by a
+/// function. fillPieces() later replaces it with straight lines between solved points.
 FitPiece openPiece(double start, double end);
 bool isOpen(const FitPiece& piece);
 
-/// Functor that fits all outputs of a cell. Each thread needs its own object.
+/// Functor that fits functions to all outputs over one cell, a part of the parameter range. Each thread needs
+/// its own object.
 class CellFitter {
   public:
     /// Stores references to both arguments, which must outlive this object.
     CellFitter(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
         : m_question(question), m_axes(axes) {}
 
-    /// Fits all outputs over the cell of a task, from `start` to `end`. Stores the fits, and the number and
-    /// computing work of the blows, in the task.
+    /// Fits functions to all outputs over the cell of a task, from its `start` to its `end`. Stores the
+    /// functions, the number of solved blows and the computing work in the task.
     void operator()(CellTask& task, const std::stop_token& stop) const;
 
   private:
@@ -66,12 +70,13 @@ class CellFitter {
     const std::vector<SweepAxis>& m_axes;
 };
 
-/// Appends the fitted outputs of a cell to those of its line, and moves the pieces out of `task`. Requires
-/// that the cells of a line are added in ascending order.
+/// Appends the fitted outputs of a cell to the line of curves to which it belongs, and moves the pieces out
+/// of `task`. Requires that the cells of a line are added in ascending order.
 void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task);
 
-/// Appends the range of a piece, with a reason, to a list of stretches. Extends the last stretch instead if
-/// the piece continues it. Converts shares of the range to parameter values in SI units.
+/// Appends the range of a piece, with the reason why it is not fitted or has no result, to a list of such
+/// stretches. If the last stretch ends where the piece starts, extends that stretch instead. Stores parameter
+/// values in SI units, converted from shares of the range.
 void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
                 const Message& reason);
 

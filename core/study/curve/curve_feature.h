@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// Notable point of a curve, such as an extreme or a jump. Positions and values have error bounds estimated
-/// from the accuracy of the curve.
+/// Notable point of a curve, such as an extreme or a jump. Its position and value have error bounds that are
+/// estimated from the accuracy of the curve.
 struct CurveFeature {
     enum class Kind {
         minimum,   ///< local minimum, or the minimum over the whole range
@@ -32,7 +32,8 @@ struct CurveFeature {
     Shape shape = Shape::smooth;
     bool ofAll = false;  ///< whether this is the minimum or maximum of the whole line, not only a local one
     Estimate x = {};     ///< parameter value of the feature, in SI units
-    /// Output at the feature, in the unit of its column; at a jump, the value before it.
+    /// Value of the output at the feature, in the unit of its column. At a jump, it is the value before the
+    /// jump.
     Estimate value = {};
     double valueAfter = 0;  ///< output just after a jump, in the unit of its column; only used for jumps
     double level = 0;  ///< level that the curve crosses, in the unit of the output; only used for crossings

@@ -11,14 +11,14 @@
 
 namespace drillwave {
 
-/// Returns the same pieces of a curve, with the error of each sliver reduced to the larger error of its
-/// neighbours. A sliver is a tiny piece around a kink or jump. Its own error, above the tolerance of the fit,
-/// says nothing of the curve.
+/// Returns a copy of the pieces of a curve with more realistic error bounds for slivers, tiny pieces around a
+/// kink or jump. The stated error of a sliver is large because no polynomial fits there. It is reduced to the
+/// larger error of the two neighbouring pieces.
 std::vector<FitPiece> limitSliverErrors(std::span<const FitPiece> pieces);
 
 /// Returns the features of a curve, ascending in the parameter: global and local extremes, kinks, jumps and
-/// crossings of `levels`. If a piece has several functions, the first one is used; its argument is the share
-/// of `range`, 0 … 1. Empty if no piece has a result.
+/// crossings of `levels`. If pieces have functions for several outputs, those of the first output are used.
+/// Their argument is the share 0 … 1 of `range`. Empty if no piece has a result.
 std::vector<CurveFeature> featuresOf(std::span<const FitPiece> pieces, const CurveRange& range,
                                      std::span<const double> levels);
 

@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Returns the result of a curve study. This is the implementation of studyCurve(), with the same arguments
-/// and guarantees.
+/// Returns the result of a curve study. This is the main part of studyCurve(), with the same arguments, but
+/// it requires problemsOf() to be empty.
 CurveStudy followLines(const CurveQuestion& question, int jobs, std::stop_token stop,
                        const CurveProgress& progress);
 

@@ -16,8 +16,8 @@ struct CurveRange {
     double at(double share) const;
     /// Returns the share of the range, 0 … 1, at which a parameter value lies.
     double shareOf(double value) const;
-    /// Returns the derivative of the parameter value with respect to the share of the range, at the given
-    /// value.
+    /// Returns the derivative of the parameter value with respect to the share of the range, at the parameter
+    /// value `value`. It converts errors of a share into errors of the parameter.
     double slopeAt(double value) const;
     bool operator==(const CurveRange&) const = default;
 };

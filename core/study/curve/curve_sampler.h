@@ -15,29 +15,32 @@
 
 namespace drillwave {
 
-/// Solver for blows along one curve, which keeps every blow already solved. Each thread needs its own object.
+/// Solver for the blows along one curve. It keeps all results, so that no blow is solved twice. Each thread
+/// needs its own object.
 class CurveSampler {
   public:
     /// Stores references to the question and its axes, which must outlive this object. `line` is the index of
-    /// the family value. Each blow may take 1/`partOfLimit` of the work limit of the question.
+    /// the value of the second parameter (family). Each blow may take the work limit of the question divided
+    /// by `partOfLimit`.
     CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
                  std::stop_token stop, long partOfLimit = 1);
 
-    /// Returns the value of an output at a share 0 … 1 of the range; solves the blow there unless it is
-    /// known. The error estimate of the value is based on that of the coefficient of restitution e.
+    /// Returns the value of an output at a share 0 … 1 of the range. Solves the blow there if it has not been
+    /// solved before. The error estimate of the value is based on that of the coefficient of restitution e.
     FitSample operator()(double share, std::size_t output);
-    /// Returns the reason of the most recent sample that had no value.
+    /// Returns why there was no value in the most recent sample without one. A sample is the result of a call
+    /// of operator().
     const Message& reason() const { return m_reason; }
-    /// Returns the size of an output by which errors are judged, in the unit of its column, at a share of the
-    /// range. For example, a penetration uses its scale d0. Ratios give 1; the result is 0 if there is no
-    /// valid scenario.
+    /// Returns the typical size of an output at a share 0 … 1 of the range, in the unit of its column. Errors
+    /// are judged relative to this size. For example, it is the scale d0 for a penetration and 1 for a ratio.
+    /// Returns 0 if there is no valid scenario.
     double unitAt(double share, std::size_t output);
-    /// Returns the computing work of the blow at a share of the range: polynomial pieces of waves, or for
-    /// drill strings time steps times nodes.
+    /// Returns the computing work of the blow at a share 0 … 1 of the range: number of polynomial wave
+    /// pieces, or time steps × nodes for drill strings.
     long effortAt(double share) { return blowAt(share).pieces; }
     std::uint64_t solves() const { return m_blows.size(); }
-    /// Returns the computing work of all blows so far: polynomial pieces of waves, or for drill strings time
-    /// steps times nodes.
+    /// Returns the computing work of all blows so far: number of polynomial wave pieces, or time steps ×
+    /// nodes for drill strings.
     long effort() const { return m_effort; }
 
   private:

@@ -12,22 +12,25 @@
 
 namespace drillwave {
 
-/// Returns the reasons why a curve cannot be computed at points; empty if it can. The checks are those of a
-/// sweep, of the family and of the goal. Unlike in problemsOf(CurveQuestion), whole-number parameters, narrow
-/// ranges and any output are allowed.
+/// Returns the reasons why a curve cannot be computed at single points; empty if it can. The checks are those
+/// of a sweep, of the second parameter (family) and of the goal. In contrast to problemsOf(CurveQuestion),
+/// whole-number parameters, narrow ranges and any output are allowed.
 std::vector<Message> sampledProblemsOf(const CurveQuestion& question);
 
 /// Callbacks for progress, called on the calling thread. `tell` receives the number of solved points and of
-/// all points. `show` receives the lines through the points solved so far, each time the spacing is halved.
+/// all points. `show` receives curves through the points solved so far, each time the distance between solved
+/// points is halved.
 struct SampledProgress {
     std::function<void(std::size_t done, std::size_t of)> tell;
     std::function<void(CurveStudy soFar)> show;
 };
 
-/// Returns curves solved only at CurveQuestion::along.count (≥ 2) parameter values, from coarse to fine
-/// spacing, for each value of the second parameter (family). The values are bit for bit those of a sweep over
-/// both parameters, for any number of threads `jobs` (≥ 1). Outputs are linear between the points; the only
-/// features are the minimum and the maximum. Requires sampledProblemsOf() to be empty.
+/// Returns curves of straight lines between parameter values at which blows are solved. There are
+/// CurveQuestion::along.count (≥ 2) such values for each value of the second parameter (family). The only
+/// features are the minimum and the maximum.
+/// The solved values are bit for bit those of a sweep over both parameters, for any number of threads `jobs`
+/// (≥ 1). Widely spaced values are solved first, then those between them. If sampledProblemsOf() is not
+/// empty, returns a study without lines, with the problems as CurveStudy::refusal.
 CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
                        const SampledProgress& progress = {});
 

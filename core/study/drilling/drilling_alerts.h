@@ -9,18 +9,18 @@
 
 namespace drillwave {
 
-/// Numbers, in addition to a result, from which the alerts about a sequence of blows are derived.
+/// Numbers that decide, together with the result of a sequence of blows, which alerts the user gets.
 struct AlertCauses {
-    /// Largest impulse of the hammer on the string after their first separation in a blow, as a share of the
-    /// hammer momentum. A large share causes an alert.
+    /// Largest impulse that the hammer gives the drill string after their first separation in a blow, as a
+    /// share of the hammer momentum. A large share causes an alert.
     double lateShare = 0;
-    /// Relative change of the blow frequency because the interval between blows is rounded to whole time
-    /// steps; positive or negative.
+    /// Relative change of the blow frequency that results from rounding the interval between blows to whole
+    /// time steps; positive or negative.
     double rounding = 0;
     bool hasMachine = false;  ///< whether the machine is modelled as a body on a damper
 };
 
-/// Returns the alerts about a sequence of blows, from its result and from further numbers in `causes`.
+/// Returns the alerts for the user about a sequence of blows.
 std::vector<Alert> drillingAlerts(const DrillingResult& result, const AlertCauses& causes);
 
 }  // namespace drillwave

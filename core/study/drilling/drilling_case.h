@@ -25,18 +25,20 @@ struct DrillingSettings {
 inline constexpr int leastDrillingCells = 10, mostDrillingCells = 400, scanCells = 20;
 inline constexpr long mostBlows = 1'000'000;
 
-/// Returns the settings of a scenario. By default there are `usualBlows` blows, one fifth of them transient.
+/// Returns the settings that a scenario specifies for a sequence of blows. If it specifies none, there are
+/// `usualBlows` blows, one fifth of them transient.
 DrillingSettings drillingSettingsOf(const Scenario& scenario, long usualBlows = 1000);
 
-/// Returns the settings for the sequence of blows at each value of a scanned parameter. By default it has 300
-/// blows and twice the usual time step, so that a scan is fast (see scanLengthOf()).
+/// Returns the settings for the sequences of blows in a scan, one sequence for each value of a parameter. To
+/// be fast, the time step is twice the default, and there are 300 blows unless the scenario specifies more or
+/// fewer (see scanLengthOf()).
 DrillingSettings scanSettingsOf(const Scenario& scenario);
 
 /// Returns why a sequence of blows cannot be computed, one message for each cause, such as "drill.thrust: is
 /// missing …". Empty if it can.
 std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings);
 
-/// Values in SI of the units in which a Problem is dimensionless.
+/// Units of a dimensionless Problem, with their values in SI.
 struct DrillingUnits {
     double time = 1;      ///< unit of time: t0, duration of the hammer force [s]
     double force = 1;     ///< unit of force: F0, mean hammer force [N]
@@ -45,11 +47,12 @@ struct DrillingUnits {
     double impulse() const { return force * time; }
     double energy() const { return force * length(); }
 };
-/// Returns the SI values of the units in which the Problem of a scenario is dimensionless.
+/// Returns the SI values of the units that a dimensionless Problem of this scenario uses.
 DrillingUnits drillingUnitsOf(const Scenario& scenario);
 
-/// Returns the dimensionless problem of a sequence of blows. `blow` is the single blow of the scenario, with
-/// its conical sections divided into uniform pieces. Requires that drillingRefusals() is empty.
+/// Returns the dimensionless problem of a sequence of blows. `blow` is the problem of a single blow of the
+/// scenario, in which conical sections are already divided into uniform pieces. Requires that
+/// drillingRefusals() is empty.
 DrillingProblem drillingProblemOf(const Scenario& scenario, Problem blow);
 
 }  // namespace drillwave

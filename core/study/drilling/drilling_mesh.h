@@ -8,19 +8,20 @@
 
 namespace drillwave {
 
-/// Problem of a sequence of blows together with its grid of cells (time steps).
+/// Dimensionless problem of a sequence of blows together with its grid, the division of time into cells (time
+/// steps).
 struct DrillingMesh {
     DrillingProblem problem;
     DrillingGrid grid;
 };
 
-/// Returns the problem and grid of a scenario for a number of cells per duration t0 of the hammer force (see
-/// drillingGridOf()). Conical sections are divided into uniform pieces. Requires that drillingRefusals() is
-/// empty.
+/// Returns the dimensionless problem and the grid of a scenario. `cellsPerDuration` is the number of cells
+/// (time steps) per duration t0 of the hammer force (see drillingGridOf()). Conical sections are divided into
+/// uniform pieces. Requires that drillingRefusals() is empty.
 DrillingMesh drillingMeshOf(const Scenario& scenario, int cellsPerDuration);
-/// Returns the problem and grid for a comparison that estimates the error of the cells (see
-/// comparedDrillingGridOf()). Conical sections have fewer pieces if the cells of that grid are larger, more
-/// if they are smaller.
+/// Returns the problem and grid with another time step (cell), to estimate the error that the time step of
+/// drillingMeshOf() causes. The grid is that of comparedDrillingGridOf(). Conical sections have fewer uniform
+/// pieces if the time step is larger, more if it is smaller.
 DrillingMesh comparedDrillingMeshOf(const Scenario& scenario, int cellsPerDuration);
 
 }  // namespace drillwave

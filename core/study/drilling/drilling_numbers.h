@@ -8,8 +8,9 @@
 
 namespace drillwave {
 
-/// Returns the available outputs of a sequence of blows. The error of the penetration requires
-/// DrillingRequest::cellError, the Lyapunov exponent λ requires DrillingRequest::lyapunov.
+/// Returns the outputs that the result of a sequence of blows contains; the others are empty. The error of
+/// the penetration requires DrillingRequest::cellError, the Lyapunov exponent λ requires
+/// DrillingRequest::lyapunov.
 DrillNumbers drillNumbersOf(const DrillingResult& result);
 
 /// Returns why a sequence of blows has no statistics (pushed back, stopped, or not solved); empty if it has.

@@ -23,7 +23,8 @@ enum class DrillingOutcome {
 /// Returns the name of an outcome as in JSON: "done", "pushed_back", …
 std::string_view name(DrillingOutcome outcome);
 
-/// Range of blows whose histories are recorded, first and last included, numbered from 1.
+/// Range of the blows of a sequence whose histories are recorded, from `first` to `last` inclusive. Blows are
+/// numbered from 1.
 struct BlowRange {
     long first = 1, last = 1;
 };
@@ -36,64 +37,67 @@ struct DrillingInstant {
 };
 inline constexpr std::size_t mostDrillingInstants = 200'000;
 
-/// Callback for progress, called with the number of blows computed since the last call; by one thread at a
-/// time.
+/// Callback for progress, called with the number of blows computed since the last call. Only one thread calls
+/// it at a time.
 using DrillingProgress = std::function<void(long)>;
 
-/// Record of a sequence of blows: its blows, how it ended, balances, and data recorded on request.
+/// Record of a sequence of blows: the blows, how the sequence ended, momentum and energy balances, and data
+/// recorded on request.
 struct DrillingRecord {
     std::vector<DrillingBlow> blows;
     DrillingOutcome outcome = DrillingOutcome::done;
     Message reason;
     DrillingLedger ledger;
     double momentumResidual = 0;
-    /// Largest impulse of the hammer on the string after their first separation, as a share of the hammer
-    /// momentum. It is the maximum of DrillingMarch::lateShare() over all blows.
+    /// Largest impulse that the hammer gives the drill string after their first separation in a blow, as a
+    /// share of the hammer momentum. It is the maximum of DrillingMarch::lateShare() over all blows.
     double lateShare = 0;
     std::vector<DrillingInstant> instants;
-    /// Natural logarithm of the factor by which a small deviation of the motion grows, for each blow. Used
-    /// for the Lyapunov exponent; empty if that is not requested.
+    /// Growth of a small deviation of the motion in each blow, as the natural logarithm of the factor. The
+    /// mean is the Lyapunov exponent. Empty if that is not requested.
     std::vector<double> growths;
 };
 
-/// Default maximum work of one sequence of blows [time steps × nodes, which are ends of sections].
+/// Default maximum work of one sequence of blows [time steps × nodes; a node is an end of a section of the
+/// drill string].
 inline constexpr double mostDrillingWork = 4e9;
 
-/// Length of a sequence of blows, what is recorded of it, and limits of the computation.
+/// Number of blows to compute, data to record, and limits of the computation.
 struct RecordLength {
     long blows;
-    /// Maximum work [time steps × nodes, which are ends of sections]. A sequence estimated to need more is
-    /// abandoned after its first blows.
+    /// Maximum work [time steps × nodes; a node is an end of a section of the drill string]. After the first
+    /// blows the total is estimated; if it is larger than this, the computation ends.
     double mostWork = mostDrillingWork;
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};
-    /// Number of threads, ≥ 1. With more than one, the deviation for the Lyapunov exponent is computed on its
-    /// own thread.
+    /// Number of threads, ≥ 1. With more than one, a second thread computes the disturbed motion that the
+    /// Lyapunov exponent requires.
     int jobs = 1;
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// Callback after every blow, with all blows so far. It returns true to end the sequence early, if no
-    /// further blows are needed.
+    /// Callback after every blow, with all blows so far. It returns true to end the sequence early, if the
+    /// caller needs no further blows.
     std::function<bool(const std::vector<DrillingBlow>&)> stopEarly = {};
 };
 
-/// Number of successive blows with growing gaps after which the bit may be taken to have left the rock for
-/// good. In addition, the feed impulse per blow must not exceed the mean impulse of the hammer in these
-/// blows.
+/// Number of successive blows with growing gaps after which the computation may decide that the bit has left
+/// the rock for good. It does so only if the feed impulse per blow is not larger than the mean impulse of the
+/// hammer in these blows.
 inline constexpr long growingBlows = 50;
 
-/// Returns J, the mean impulse that the hammer transfers to the string in the last `last` blows, in the
-/// dimensionless units of Problem. Requires at least one blow.
+/// Returns the mean impulse J that the hammer transfers to the drill string, over the last `last` blows, in
+/// the dimensionless units of Problem. Requires at least one blow.
 double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last);
 
-/// Returns a message if a sequence of blows would need too much memory; empty otherwise.
+/// Returns an error message if a sequence of blows would need too much memory; empty otherwise.
 Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid);
 
-/// Returns a message if `blows` blows, judged by those already computed, would need more than `mostWork`
-/// [time steps × nodes]; empty otherwise. Requires that at least one blow is computed.
+/// Returns an error message if a sequence of `blows` blows would need more than `mostWork` [time steps ×
+/// nodes]; empty otherwise. The work is estimated from the blows that are already computed. Requires at least
+/// one of them.
 Message workProblem(const DrillingMarch& march, long blows, double mostWork);
 
-/// Computes a sequence of blows and returns its record. DrillingRecord::outcome states whether it ended
-/// early, such as by a stop request.
+/// Computes a sequence of blows and returns its record. If it ends early, DrillingRecord::outcome shows why,
+/// for example a stop request. An end by RecordLength::stopEarly leaves the outcome `done`.
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
                         const std::stop_token& stop, const DrillingProgress& progress);
 

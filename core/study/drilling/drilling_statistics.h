@@ -17,17 +17,19 @@ namespace drillwave {
 /// Statistics of one quantity over all counted blows (those after the transient blows).
 struct BlowSpread {
     double mean = 0;
-    /// 95 % error of the mean, from up to 20 batches of consecutive blows; empty for a single blow.
+    /// 95 % error of the mean, from up to 20 batches of consecutive blows; empty for a single blow. If the
+    /// motion does not repeat, it is the largest error from several batch sizes.
     std::optional<double> meanError;
     double deviation = 0;
     double q05 = 0, q50 = 0, q95 = 0;
     double least = 0, largest = 0;
 };
 
-/// Returns the statistics of values, one for each blow. Requires at least one value.
+/// Returns the statistics of the values of one quantity, one value for each blow. Requires at least one
+/// value.
 BlowSpread spreadOf(std::span<const double> values);
 
-/// Kind of unit of a quantity of a blow.
+/// Kind of physical quantity, from which the unit of a value follows.
 enum class DrillingMeasure { count, time, length, velocity, impulse, force, energy };
 
 /// Quantity recorded for every blow, with its name and unit.
@@ -36,7 +38,7 @@ struct BlowQuantity {
     DrillingMeasure measure = DrillingMeasure::count;
     double DrillingBlow::*value = nullptr;
     bool hasSpread = false;  ///< whether mean, standard deviation and quantiles of the quantity are results
-    /// Heading of the quantity in tables for people; nullptr if they do not show it.
+    /// Heading of the quantity in tables that people read; nullptr if these tables do not show it.
     const char* title = nullptr;
     const char* meaning = nullptr;  ///< explanation of that table row, as a sentence
 };
@@ -63,8 +65,8 @@ inline constexpr std::array<BlowQuantity, 13> blowColumns{{
     {"shank_offset", DrillingMeasure::length, &DrillingBlow::shankOffset},
 }};
 
-/// Quantities of a blow for which mean, standard deviation and quantiles are computed, in the order of
-/// `blowColumns`.
+/// Quantities of a blow for which mean, standard deviation and quantiles are computed. They are a part of
+/// `blowColumns`, in the same order.
 inline constexpr auto blowQuantities = [] {
     constexpr auto count = std::ranges::count_if(blowColumns, &BlowQuantity::hasSpread);
     std::array<BlowQuantity, static_cast<std::size_t>(count)> quantities;
@@ -72,7 +74,8 @@ inline constexpr auto blowQuantities = [] {
     return quantities;
 }();
 
-/// Returns the index of a quantity in blowQuantities. Requires that it is one of them.
+/// Returns the index in blowQuantities of the quantity that a member of DrillingBlow holds. Requires that
+/// blowQuantities contains this quantity.
 constexpr std::size_t quantityPlace(double DrillingBlow::*value) {
     std::size_t place = 0;
     while (blowQuantities[place].value != value) ++place;
@@ -97,15 +100,18 @@ struct DrillingStatistics {
     int period = 0;           ///< number of blows after which the motion repeats, 1 … 16; 0 if it does not
     DrillingRegime regime = DrillingRegime::irregular;
     std::array<int, 20> gapParts{};  ///< histogram of the fractional part of gap/d0, in 20 equal bins
-    /// Kolmogorov–Smirnov distance, 0 … 1, of the fractional parts of gap/d0 from a uniform distribution.
+    /// Kolmogorov–Smirnov distance, 0 … 1, of the fractional parts of gap/d0 from a uniform distribution. A
+    /// small value means that all gaps within a period are equally likely.
     double ksDistance = 0;
-    /// Value of ksDistance that 5 % of samples of this size from a uniform distribution exceed.
+    /// Critical value of ksDistance: only 5 % of samples of this size from a uniform distribution exceed it.
+    /// If ksDistance is larger, the gaps are probably not uniformly distributed.
     double ksLevel = 0;
     bool isSettled = true;  ///< whether the first and second half of the blows agree within three errors
 };
 
-/// Returns the statistics of the blows after the first `settle`. Requires settle < blows.size().
-/// `velocityScale` is v0 in the dimensionless units of Problem.
+/// Returns the statistics of a sequence of blows without its first `settle` blows, which are transient.
+/// Requires settle < blows.size(). `velocityScale` is the reference velocity v0 in the dimensionless units of
+/// Problem (see Problem::velocity()). Differences of velocity are judged relative to it.
 DrillingStatistics statisticsOf(std::span<const DrillingBlow> blows, std::size_t settle,
                                 double velocityScale);
 

@@ -12,18 +12,19 @@
 namespace drillwave {
 
 /// Mean over the counted blows, with its 95 % error. The error includes the scatter of the blows and the
-/// effect of the cell size; it is empty for a single blow.
+/// effect of the time step (cell). There is no error if only one blow is counted.
 struct SequenceMean {
     double value = 0;
     std::optional<double> error;
 };
 
-/// Reason why the mean penetration is too uncertain for comparisons.
+/// Reason why the error of the mean penetration is too large to compare feed forces by it.
 enum class UnresolvedReason { noWaveLoss, irregular, fewBlows, lengthsRounded };
 /// Returns the name as in JSON: "no_wave_loss", "irregular", "few_blows" or "lengths_rounded".
 std::string_view name(UnresolvedReason reason);
 
-/// Model of the feed between machine and rod: a constant force, or a damper in front of the machine's mass.
+/// Model of the feed that presses the machine against the rod: a constant force, or a damper between the rod
+/// and the mass of the machine.
 enum class FeedModel { constantForce, damper };
 /// Returns the name as in JSON: "constant_force" or "damper".
 std::string_view name(FeedModel model);
@@ -35,8 +36,8 @@ FeedModel feedModelOf(const Scenario& scenario);
 struct Sequence {
     SequenceMean penetration;      ///< mean penetration per blow [m]
     SequenceMean penetrationRate;  ///< mean penetration rate [m/s]
-    /// Mean penetration divided by the penetration of a single blow from rest without a gap. Empty if the
-    /// latter is not known.
+    /// Mean penetration per blow divided by the penetration of a single blow from rest without a gap. Empty
+    /// if the penetration of the single blow is not known.
     std::optional<SequenceMean> singleBlowShare;
     double contactShare = 0;  ///< share of blows that start within contactLimit of the rock, 0 … 1
     BlowSpread gap;           ///< statistics of the gap at the start of a blow [m]
@@ -45,13 +46,15 @@ struct Sequence {
     bool isResolved() const { return !unresolved; }
 };
 
-/// Returns the means of a result in SI units; empty if it has no statistics.
+/// Returns the means of the result of a sequence of blows, in SI units; empty if the result has no
+/// statistics.
 std::optional<Sequence> sequenceOf(const DrillingResult& result);
 
-/// Wave loss suggested if none is known, as a share per round trip; typical values are 0.01 … 0.3.
+/// Wave loss suggested to the user if none is known: share of the amplitude that a wave loses per round trip.
+/// Typical values are 0.01 … 0.3.
 inline constexpr double usualWaveLoss = 0.1;
 
-/// Maximum relative error of the mean penetration for which the mean is precise enough for comparisons.
+/// Maximum relative error with which a mean penetration is still precise enough to compare feed forces by it.
 inline constexpr double resolvedShare = 0.05;
 
 }  // namespace drillwave

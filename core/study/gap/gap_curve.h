@@ -16,23 +16,25 @@
 
 namespace drillwave {
 
-/// Results followed along the gap: coefficient of restitution e, peak force on the rock, efficiency. The
-/// impulse on the rock is not listed because it is 1 + e.
+/// Results of a blow that are computed as functions of the gap: coefficient of restitution e, peak force on
+/// the rock, efficiency. The impulse on the rock is not listed because it is 1 + e.
 enum class GapOutput : std::size_t { cor, peakForce, efficiency };
 inline constexpr std::size_t gapOutputCount = valueCount<GapOutput>;
 
-/// Maximum duration of the hammer force for a study of all gaps, in round trips of a wave in the rod.
+/// Maximum duration of the hammer force with which results over all gaps can be computed, in round trips of a
+/// wave in the rod.
 inline constexpr double maximumGapPeriodStart = 10'000;
 
-/// Maximum work of a gap curve that is computed as part of another result, in wave pieces of all its blows.
-/// This applies to reports and to the feed margin in result files. At 4–10 million pieces per second it takes
-/// 2–4 s; a report has three curves. The limit is a count, not a time, so that files do not depend on the
-/// machine. The commands `gap` and `thrust`, whose purpose is the curve, have no limit.
+/// Maximum work of a gap curve that is only a part of another result: number of wave pieces (the solver's
+/// unit of work) in all its blows. Such results are reports and the feed margin in result files. At 4–10
+/// million pieces per second this takes 2–4 s; a report has three curves.
+/// The limit is a count, not a time, so that files do not depend on the computer. The commands `gap` and
+/// `thrust`, whose purpose is the curve, have no limit.
 inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 
-/// Text of GapCurve::reason for a curve that is incomplete because it exceeds the permitted number of wave
-/// pieces.
+/// Value of GapCurve::reason if part of the curve has no result because its blows exceed the permitted number
+/// of wave pieces.
 inline constexpr const char* tooManyPieces =
     translatable("the waves of its blows at all gaps have more polynomial pieces than a quick study permits");
 
@@ -42,8 +44,8 @@ inline constexpr const char* tooManyPieces =
 /// more than maximumGapPeriodStart round trips. A tail of less than 1e-13 of the impulse is neglected.
 double gapPeriodStart(const Problem& problem);
 
-/// Interval of gaps over which all results are smooth functions of the gap. The functions are ordered as in
-/// GapOutput; `label` is the number of contacts between bit and rock.
+/// Interval of gaps over which all results are smooth functions of the gap. The functions have the order of
+/// GapOutput. `label` is the number of contacts between bit and rock during the blow.
 using GapPiece = FitPiece;
 
 /// Results over dimensionless gaps δ = d/d0 in [start, end). The last period [periodStart, end) repeats for
@@ -52,16 +54,16 @@ struct GapCurve {
     double start = 0;
     double periodStart = 0;
     double end = 0;
-    /// Whether the results depend on the gap at all; false for the reference case, a rod that arrives without
-    /// waves.
+    /// Whether the results depend on the gap at all. They do not if a rod without waves arrives with its
+    /// initial velocity (reference case).
     bool dependsOnGap = true;
     /// Number of outputs in each piece: 1 if only e was requested, otherwise gapOutputCount.
     std::size_t outputCount = 0;
-    /// Pieces of the curve, ascending. The results are smooth in each piece, except in slivers of width 1e-12
-    /// around kinks.
+    /// Pieces of the curve, ascending. In each piece, the results are smooth functions of the gap. Exceptions
+    /// are very narrow pieces (slivers) of width 1e-12 around kinks.
     std::vector<GapPiece> pieces;
-    /// Gaps δ at which the order of contact events changes, and the ends of the periods of e, one at every
-    /// whole number.
+    /// Gaps δ at which the slope of e may jump, ascending. These are gaps where the order of contact events
+    /// changes, and all whole numbers, at which the periods end.
     std::vector<double> borders;
     std::uint64_t solves = 0;  ///< number of blows solved
     double solverError = 0;    ///< largest error bound of the solver for e, over all blows
@@ -69,33 +71,35 @@ struct GapCurve {
     Message reason;            ///< reason why some gaps have no result; empty if all have one
     bool stopped = false;      ///< set if the stop token ended the computation; the curve is then incomplete
     bool usable() const { return !stopped && !pieces.empty(); }
-    /// Returns whether the unsolved part of the range of δ is at most 1e-6 in all.
+    /// Returns whether the curve has results at nearly all gaps: the total length of δ without a result is at
+    /// most 1e-6.
     bool isComplete() const { return usable() && unsolved <= 1e-6; }
 
-    /// Returns an output at any gap δ ≥ start, using periodicity beyond `end`. Requires that the curve has a
-    /// result there.
+    /// Returns an output at any gap δ ≥ start. For gaps beyond `end`, uses that results repeat with period 1.
+    /// Requires that the curve has a result there.
     double value(GapOutput output, double gap) const;
 };
 
 /// Callback for progress, called from time to time with the completed share of the work, 0 … 1.
 using GapProgress = std::function<void(double)>;
 
-/// Returns outputs as functions of the gap δ, which replaces the gap of `problem`. The range is from `start`,
-/// rounded down to a whole number, to periodStart + 1. Requires 0 ≤ start ≤ periodStart.
-/// `detail` selects the outputs: cor gives only e, events gives all. Pieces end where the order of events at
-/// the bit changes, bracketed to 1e-12. They are halved until polynomials agree with the solver to 1e-10,
-/// absolute for e and efficiency, relative for the peak force. If all blows together exceed `mostPieces` wave
-/// pieces (the solver's unit of work), the remaining gaps have no result.
+/// Returns the results of a blow as functions of the dimensionless gap δ. The gap in `problem` is ignored.
+/// The range of δ is from `start`, rounded down to a whole number, to gapPeriodStart(problem) + 1. Requires 0
+/// ≤ start ≤ gapPeriodStart(problem).
+/// `detail` selects the outputs: cor gives only e, events gives all. Pieces end at gaps where the order of
+/// events at the bit changes; these gaps are known to 1e-12. Pieces are halved until polynomials agree with
+/// the solver to 1e-10, absolute for e and efficiency, relative for the peak force. If all blows together
+/// exceed `mostPieces` wave pieces (the solver's unit of work), the remaining gaps have no result.
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Returns outputs as functions of the gap δ over one period only, [periodStart, periodStart + 1). Other
-/// arguments are as in the first gapCurve().
+/// Returns the results of a blow as functions of the gap δ over one period, from gapPeriodStart(problem) to
+/// that value + 1. The other arguments are as in gapCurve() with a `start`.
 GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
-/// Returns the gaps δ at which to draw the curve: the ends of its pieces and points between them, at most
-/// 1/500 apart. Slivers around kinks are left out.
+/// Returns the gaps δ at which to draw the curve: the ends of its pieces, and points between them so that the
+/// spacing is at most 1/500. The ends of very narrow pieces around kinks (slivers) are left out.
 std::vector<double> sampleGaps(const GapCurve& curve);
 
 }  // namespace drillwave

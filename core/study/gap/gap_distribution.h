@@ -16,19 +16,21 @@ struct NormalGap {
     static constexpr double mostDeviation = 100;
 };
 
-/// Distribution of the gap over the range [start, end) of a curve. Larger gaps are shifted back by whole
-/// periods, because results repeat.
+/// Probability distribution of the gap over the range [start, end) of a curve. Larger gaps are shifted back
+/// by whole periods, because the results of a blow repeat.
 class GapDistribution {
   public:
-    /// Returns the distribution with equal probability for all gaps of one period.
+    /// Returns a distribution in which all gaps of one period are equally likely. The period is the last unit
+    /// of δ of the curve, after which the results of a blow repeat.
     static GapDistribution uniform(const GapCurve& curve);
-    /// Returns a truncated normal distribution. Requires that the curve begins at or below lowestGap(normal).
+    /// Returns a normal distribution, truncated at 0. Requires that the curve begins at or below
+    /// lowestGap(normal).
     static GapDistribution normal(const GapCurve& curve, const NormalGap& normal);
 
     /// Returns the probability density at a gap of the curve, per unit of δ = d/d0.
     double density(double gap) const;
-    /// Returns the probability, 0 … 1, that the gap is at most `gap`. Gaps beyond the curve are first shifted
-    /// back into it by whole periods.
+    /// Returns the probability, 0 … 1, that the gap is at most `gap`. If `gap` is beyond the end of the
+    /// curve, it is first shifted back by whole periods.
     double cumulative(double gap) const;
     /// Returns ascending gaps that divide the range of the curve into intervals for numerical integration.
     /// The density is smooth within each interval.
@@ -45,7 +47,8 @@ class GapDistribution {
     std::vector<double> m_cuts;
 };
 
-/// Returns the gap d/d0 below which a normal distribution has negligible probability.
+/// Returns the gap d/d0 below which the probability of a normal distribution is negligible. A curve for this
+/// distribution must start at or below that gap.
 double lowestGap(const NormalGap& normal);
 
 }  // namespace drillwave

@@ -18,12 +18,12 @@ struct GapKink {
     int contactsAfter = 0;
 };
 
-/// Returns the kinks of e in one period of the gap, ascending. A kink at the start of the period is listed at
-/// its end.
+/// Returns the kinks of e in one period of the gap, ascending. A kink at the start of the period is the same
+/// as one at its end, and is only listed there.
 std::vector<GapKink> kinksOf(const GapCurve& curve);
 
-/// Returns whether the slope of an output jumps at a gap of the period by clearly more than the errors of the
-/// curve. `scale` is the typical size of the output's values.
+/// Returns whether the curve of an output has a kink at a gap within the period: its slope jumps by clearly
+/// more than the errors allow. `scale` is the typical size of the output, against which the jump is judged.
 bool isKink(const GapCurve& curve, GapOutput output, double gap, double scale);
 
 }  // namespace drillwave

@@ -16,8 +16,8 @@ namespace drillwave {
 /// Minimum or maximum of an output over all gaps, and one gap where it occurs.
 struct GapExtreme {
     Estimate value;
-    /// Gap of the extreme [d0], within one period. The error of the gap is the distance over which the output
-    /// stays within its own error.
+    /// Gap at which the extreme occurs [d0], within one period. The error of this gap is the distance over
+    /// which the output differs from the extreme by less than its error.
     Estimate gap;
     enum class Kind { smooth, kink, everywhere } kind = Kind::smooth;
 };
@@ -25,7 +25,7 @@ struct GapExtreme {
 /// Probabilities for which the quantiles are given: 5 %, 50 % and 95 %.
 inline constexpr std::array<double, 3> gapQuantiles{0.05, 0.5, 0.95};
 
-/// Statistics of an output under a distribution of the gap.
+/// Mean and quantiles of an output if the gap has a given probability distribution.
 struct GapSpread {
     Estimate mean;
     std::array<Estimate, gapQuantiles.size()> quantiles;  ///< quantiles in the order of gapQuantiles
@@ -57,16 +57,19 @@ struct GapStatistics {
     }
 };
 
-/// Returns statistics over one period of the gap, with all gaps equally likely, and with the distribution
-/// `normal` if given. Statistics of the impulse follow from those of e, because the impulse is 1 + e. Gaps
-/// without a result are left out. Requires a usable curve with results nearly everywhere that begins at or
-/// below lowestGap(*normal).
+/// Returns statistics of the results for an uncertain gap: with all gaps of one period equally likely and, if
+/// given, with the distribution `normal`. Statistics of the impulse follow from those of e, because the
+/// impulse is 1 + e. Gaps without a result are left out.
+/// Requires a usable curve with results nearly everywhere. With `normal`, the curve must begin at or below
+/// lowestGap(*normal).
 GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap>& normal = {});
 
-/// Returns the share of the gaps of one period, 0 … 1, for which e is larger than `cor`.
+/// Returns the share of the gaps of one period, 0 … 1, for which e is larger than `cor`. It is the
+/// probability of such an e if all gaps are equally likely.
 Estimate shareAbove(const GapCurve& curve, double cor);
 
-/// Returns the largest e over all gaps of the curve, including those before the first period.
+/// Returns the largest coefficient of restitution e over all gaps of the curve, including those before the
+/// first period.
 Estimate largestCor(const GapCurve& curve);
 
 }  // namespace drillwave

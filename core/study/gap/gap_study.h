@@ -29,29 +29,30 @@ struct GapStudy {
     }
 };
 
-/// Returns why the results of a scenario are not periodic in the gap; empty if they are.
+/// Returns why the results of a scenario do not repeat periodically with growing gap, which is the case for
+/// drill strings; empty if they do.
 Message whyNoPeriod(const Scenario& scenario);
 
-/// Returns why a scenario cannot be studied over all gaps, or why `normal` is not a valid distribution; empty
-/// if it can.
+/// Returns an error message if a scenario cannot be studied over all gaps, or if `normal` is not a valid
+/// distribution; empty if both are fine.
 Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& normal = {});
 
-/// Returns all outputs over the gap with their statistics. The gap of the scenario itself is ignored. The
-/// work of all blows is limited to `mostPieces` wave pieces (the solver's unit of work). If gapProblem()
-/// returns a message, the curve is empty and has that message as its reason.
+/// Returns all outputs as functions of the gap, with their statistics. The gap of the scenario itself is
+/// ignored. The work of all blows together is limited to `mostPieces` wave pieces (the solver's unit of
+/// work). If gapProblem() returns a message, the curve is empty and has that message as its reason.
 GapStudy studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
                   const std::stop_token& stop = {}, const GapProgress& progress = {},
                   long mostPieces = anyNumberOfPieces);
 
-/// Outputs of a blow at one gap, in the order of GapOutput.
+/// Results of a blow at one gap, in the order of GapOutput.
 struct GapSample {
     double gap = 0;  ///< dimensionless gap d/d0
     std::array<double, gapOutputCount> values{};
 };
 
-/// Passes quick previews of the curve to `show`: outputs at 5, 9, 17 and 33 evenly spaced gaps of the period,
-/// ascending. Gaps at which the blow is not solved are left out. Passes nothing if the whole curve only takes
-/// a moment. Returns early after a stop request.
+/// Passes quick previews of the curve over one period to `show`, to be drawn until the whole curve is
+/// computed. They have 5, 9, 17 and 33 evenly spaced gaps, ascending. Gaps at which the blow is not solved
+/// are left out. Passes nothing if the whole curve takes only a moment. Returns early after a stop request.
 void previewGaps(const Scenario& scenario, const std::stop_token& stop,
                  const std::function<void(const std::vector<GapSample>&)>& show);
 

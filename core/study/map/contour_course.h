@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// Points of the map's grid from which a contour at one level is found: the finest grid that is completely
-/// computed (see MapGrid::stride()). Stores a reference to the grid, which must outlive this object.
+/// Points of a map from which a contour at one level is found: the finest grid of points that is completely
+/// computed (see MapGrid::stride()). Stores a reference to the map, which must outlive this object.
 class GridNodes {
   public:
     GridNodes(const MapGrid& grid, double level)
@@ -53,8 +53,8 @@ struct GridSquare {
     bool isSaddle() const { return count == 4; }
 };
 
-/// Edges and squares of a grid through which a contour passes. Saddles are squares with all four edges
-/// crossed.
+/// Edges and squares of a grid through which a contour passes. A square with all four edges crossed is called
+/// a saddle: its contour points can be connected in two ways.
 struct ContourCourse {
     std::vector<GridEdge> edges;  ///< crossed edges, ascending, each once
     std::vector<GridSquare> squares;
@@ -62,12 +62,12 @@ struct ContourCourse {
     std::vector<std::size_t> saddles;
 
     std::size_t size() const { return edges.size() + saddles.size(); }
-    /// Returns the index of an edge in `edges`.
+    /// Returns the index of an edge in `edges`. Requires that the contour crosses the edge.
     std::size_t numberOf(const GridEdge& edge) const;
 };
 
 /// Returns the edges and squares of the grid through which the contour passes, and which squares are saddles.
-/// Squares with a corner without a value are left out.
+/// Squares are left out if one of their corners has no value.
 ContourCourse courseOf(const GridNodes& nodes);
 
 }  // namespace drillwave

@@ -20,21 +20,20 @@ struct ContourPoint {
     double y = 0;         ///< value of the y parameter, in SI units
     double value = 0;     ///< output at the point, in the units of the map
     double residual = 0;  ///< |value − level|, in the units of the map
-    /// Width within which the output jumps across the level, as a fraction of the distance between the two
-    /// grid points. It is 0 if the output takes the level continuously. Then `residual` is mostly below
-    /// contourAccuracy and at most 100 times that. It is relative to the level or to the step between the
-    /// grid points, whichever is larger.
+    /// Width of the interval in which the output jumps across the level, as a fraction of the distance
+    /// between the two grid points. It is 0 if the output takes the level continuously. `residual` is then
+    /// mostly below contourAccuracy, and at most 100 times that, in the relative measure of contourAccuracy.
     double jumpWidth = 0;
-    /// Whether a value used to locate the point is a mean over a sequence of blows that does not repeat. Such
-    /// values scatter, and so does the position.
+    /// Whether the point is uncertain because it was located with the mean of a sequence of blows that does
+    /// not repeat. Such means scatter, and so does the position.
     bool isIrregular = false;
     bool isJump() const { return jumpWidth > 0; }
     bool operator==(const ContourPoint&) const = default;
 };
 
 /// Accuracy with which the output at a contour point equals the level. It is relative to |level| or to the
-/// difference of the two grid points beside it, whichever is larger. The value is a hundredth of 1e-9, the
-/// accuracy of the coefficient of restitution e.
+/// difference between the two grid points beside it, whichever is larger. The coefficient of restitution e
+/// has an accuracy of 1e-9; 1e-11 adds little to that error.
 inline constexpr double contourAccuracy = 1e-11;
 
 /// Connected line of contour points. A closed line ends with a copy of its first point.
@@ -44,8 +43,8 @@ using ContourLine = std::vector<ContourPoint>;
 struct Contour {
     double level = 0;
     std::vector<ContourLine> lines;
-    /// Number of contour points that could not be located, because a blow between the two grid points beside
-    /// them was not solved.
+    /// Number of contour points that could not be located, because a blow between the two neighbouring grid
+    /// points was not solved.
     std::uint64_t unplaced = 0;
     /// Reason why a contour point could not be located, for the first of the `unplaced` points; empty if
     /// there are none.
@@ -56,10 +55,11 @@ struct Contour {
     /// Returns the number of points of all lines; the first point of a closed line counts once.
     std::uint64_t pointCount() const;
     std::uint64_t jumpCount() const;
-    /// Returns the number of points with ContourPoint::isIrregular; the first point of a closed line counts
-    /// once.
+    /// Returns the number of points with an uncertain position (see ContourPoint::isIrregular). The first
+    /// point of a closed line counts once.
     std::uint64_t irregularCount() const;
-    /// Returns the largest ContourPoint::residual of all points that are not jumps; 0 if there are none.
+    /// Returns the largest distance |value − level| of the output from the level over all contour points; 0
+    /// if there are none. Points at which the output jumps across the level are left out.
     double worstResidual() const;
     bool operator==(const Contour&) const = default;
 };
@@ -68,34 +68,35 @@ struct Contour {
 struct ContourExtent {
     ContourPoint lowest, highest;
 };
-/// Returns the points of a contour with the smallest and the largest y, the first ones if several are equal;
-/// empty if the contour has no lines.
+/// Returns the points of a contour with the smallest and the largest y; empty if the contour has no lines. If
+/// several points have the same y, the first one is returned.
 std::optional<ContourExtent> extentOf(const Contour& contour);
 
-/// Side of a contour, along y, on which the map exceeds the level.
+/// Direction along y, larger or smaller, in which the output of a map is above a level.
 enum class LevelSide {
-    /// The output exceeds the level at larger y: somewhere in the row of the largest y, nowhere in that of
-    /// the smallest y.
+    /// The map is above the level towards larger y: some point in the row of the largest y is above it, but
+    /// no point in the row of the smallest y.
     above,
-    /// The output exceeds the level at smaller y: somewhere in the row of the smallest y, nowhere in that of
-    /// the largest y.
+    /// The map is above the level towards smaller y: some point in the row of the smallest y is above it, but
+    /// no point in the row of the largest y.
     below,
     mixed,
 };
-/// Returns on which side of a contour, along y, a complete map exceeds the level. LevelSide::mixed is
-/// returned if both the first and the last row have such points, or neither has.
+/// Returns whether a complete map is above the level towards larger or towards smaller y. Returns
+/// LevelSide::mixed if both the row of the smallest y and that of the largest y have points above the level,
+/// or neither has.
 LevelSide sideOf(const MapGrid& grid, double level);
 
-/// Callback for progress, called on the calling thread with the numbers of contour points located so far and
-/// in total.
+/// Callback for progress, called on the calling thread. It receives the number of contour points located so
+/// far and the number of all contour points.
 using ContourProgress = std::function<void(std::uint64_t placed, std::uint64_t crossings)>;
 
-/// Returns the contour at one level (finite, in the units of the map). Uses the points of every
-/// grid.stride()-th column and row. If one of two neighbouring points is below the level and the other is
-/// not, one contour point is located between them by root finding.
-/// In a square with four crossings, the value at its centre decides how the points are connected. Squares
-/// with a point without a value are left out. Each crossing takes at most some dozen blows. The result does
-/// not depend on the number of threads `jobs` (≥ 1).
+/// Returns the contour of a map at one level (finite, in the units of the map). Uses the finest grid of
+/// points that is completely computed (see MapGrid::stride()). If only one of two neighbouring points is
+/// below the level, one contour point between them is located by root finding.
+/// In a square with four crossings, the value at its centre decides how the points are connected. Squares are
+/// left out if one of their corners has no value. Each crossing takes at most some dozen blows. The result
+/// does not depend on the number of threads `jobs` (≥ 1).
 Contour contourOf(const MapStudy& study, const MapGrid& grid, double level, int jobs,
                   std::stop_token stop = {}, const ContourProgress& progress = {});
 

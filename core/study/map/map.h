@@ -18,7 +18,7 @@
 
 namespace drillwave {
 
-/// Settings of a map of one output over two parameters.
+/// Settings of a map, the values of one output on a grid of two parameters.
 struct MapStudy {
     Scenario base;
     SweepAxis x;  ///< parameter along x, with a linear or logarithmic range
@@ -33,17 +33,17 @@ struct MapStudy {
 /// Maximum number of points of a map. All are kept in memory with nine bytes each.
 inline constexpr std::uint64_t maximumMapPoints = 16'000'000;
 
-/// Returns the problems of a map, one message each; empty if it can be solved. Problems are an axis that is
-/// not a range, too many points, and those of a sweep over both axes.
+/// Returns the reasons why a map cannot be computed, one message each; empty if it can. Examples are an axis
+/// that is not a range, or too many points. Otherwise the checks are those of a sweep over both axes.
 std::vector<Message> problemsOf(const MapStudy& study);
 
 /// Callback for progress, called on the calling thread with the map so far whenever more points are solved.
 using MapProgress = std::function<void(const MapGrid& soFar)>;
 
 /// Returns the map with every point solved once. First solves a coarse grid of some hundred points, then
-/// repeatedly halves the spacing. After a stop request, the points solved so far are kept. Values do not
-/// depend on the number of threads `jobs` (≥ 1) and equal those of single blows. Requires problemsOf() to be
-/// empty.
+/// repeatedly halves the spacing. After a stop request, the points solved so far are kept. Values are the
+/// same for any number of threads `jobs` (≥ 1), and the same as those of separately solved blows. If
+/// problemsOf() is not empty, returns a map without points, with the problems as MapGrid::refusal().
 MapGrid solveMap(const MapStudy& study, int jobs, std::stop_token stop = {},
                  const MapProgress& progress = {});
 

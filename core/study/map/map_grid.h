@@ -14,15 +14,17 @@
 
 namespace drillwave {
 
-/// Maximum number of different reasons for unsolved points. All further reasons are counted together as one.
+/// Maximum number of different reasons for unsolved points that a map stores. All further reasons are counted
+/// together under "other reasons".
 inline constexpr std::size_t maximumMapReasons = 100;
 
-/// Maximum number of points in the coarse grid that is solved first. With slow blows of 40 µs this grid takes
-/// about 40 ms.
+/// Maximum number of points in the coarse grid that is solved first, to show a preview. If a blow takes 40
+/// µs, this grid takes about 40 ms.
 inline constexpr std::size_t coarsestMapPoints = 1024;
 
-/// Returns the index of the value nearest to `at`. The values have equal steps, or equal ratios if
-/// `isLogarithmic`. Empty if `at` is more than half a step outside their range.
+/// Returns the index of the value nearest to `at`, for example to find the point under the mouse pointer. The
+/// values have equal steps, or equal ratios if `isLogarithmic`. Empty if `at` is more than half a step
+/// outside their range.
 std::optional<std::size_t> nearestIndex(std::span<const double> values, bool isLogarithmic, double at);
 
 /// Grid of a map: values of an output over two parameters. Point (column, row) has value number `column` of x
@@ -35,7 +37,7 @@ class MapGrid {
     MapGrid(std::vector<double> xs, std::vector<double> ys);
     /// Creates a map without points, with the reason why the map cannot be computed.
     explicit MapGrid(Message refusal) : m_refusal(std::move(refusal)) {}
-    /// Returns why the map cannot be computed, so that it has no points; empty if it can.
+    /// Returns why no point of the map can be computed; empty if the map can be computed.
     const Message& refusal() const { return m_refusal; }
 
     /// Returns the x value of each column, in SI units.
@@ -49,10 +51,11 @@ class MapGrid {
     /// Returns the number of points computed so far, whether solved or failed.
     std::size_t done() const { return m_done; }
     bool isComplete() const { return m_done == size(); }
-    /// Returns the spacing s, in points, of the finest grid that is completely computed: every s-th point of
-    /// every s-th row. It is 1 if all points are computed, 0 if even the coarsest grid is incomplete.
+    /// Returns the spacing s of the finest grid of points that is completely computed: every s-th column and
+    /// row. It is 1 if all points are computed, 0 if even the coarsest grid is incomplete.
     std::size_t stride() const;
-    /// Returns the spacing, in points, of the grid that is solved first: a power of two.
+    /// Returns the spacing of the coarsest grid, which is solved first: a power of two. For example, 4 means
+    /// every fourth column and row.
     std::size_t coarsestStride() const { return std::size_t{1} << m_coarsest; }
 
     bool isThere(std::size_t column, std::size_t row) const { return cell(column, row) != notThere; }
@@ -65,9 +68,9 @@ class MapGrid {
         std::size_t row = 0;
         bool operator==(const Place&) const = default;
     };
-    /// Returns the point whose value is shown for the given point while the map is being computed. It is a
-    /// computed point, with column and row rounded down to a coarser grid; the point itself if it is
-    /// computed.
+    /// Returns the point whose value is shown at the given point while the map is being computed. It is the
+    /// point itself if that is computed. Otherwise column and row are rounded down to a coarser grid of
+    /// computed points.
     Place standIn(std::size_t column, std::size_t row) const;
 
     /// Returns the number of unsolved points by reason, in the order in which the reasons first occurred.

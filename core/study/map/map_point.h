@@ -23,8 +23,9 @@ class MapPoint {
     /// blow could not be solved (`value` is then unchanged); empty if it was solved.
     Message solve(double x, double y, double& value, const std::stop_token& stop);
 
-    /// Returns why the last point solved has no output; empty if it has one or the reason is not known.
-    /// isIrregular() returns whether the motion in the sequence of blows at that point does not repeat.
+    /// Returns why the point solved last has no output; empty if it has one or if the reason is not known.
+    /// The next function, isIrregular(), returns whether the motion in the sequence of blows at that point
+    /// does not repeat.
     const Message& lack() const { return m_solver.lack(); }
     bool isIrregular() const { return m_solver.isIrregular(); }
 

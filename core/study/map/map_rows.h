@@ -8,8 +8,8 @@
 namespace drillwave {
 
 /// Passes the points of a map to `sink` as rows of numbers, for example to write CSV, and returns the numbers
-/// of rows. A row has x, y (SI) and the output; y varies fastest. A point that was not computed before a stop
-/// has no output and counts as failed.
+/// of rows. A row has x, y (SI) and the output; y varies fastest. If the map was stopped early, points that
+/// were not computed have no output and count as failed.
 RowCounts giveRows(const MapStudy& study, const MapGrid& grid, RowSink& sink);
 
 }  // namespace drillwave

@@ -18,17 +18,17 @@ inline constexpr int firstPaperFigure = 3, lastPaperFigure = 8;
 Figure figure3();
 /// Returns Figure 4 of the paper: impact force, impulse and momentum over time.
 Figure figure4();
-/// Returns Figure 5 of the paper: the two peaks of the impact force, compared with the closed form. Time is
-/// counted from the arrival of the wave that causes the peak.
+/// Returns Figure 5 of the paper: the two peaks of the impact force over time, exact and from the
+/// closed-form approximation. Time is counted from the arrival of the wave that causes the peak.
 Figure figure5();
-/// Returns Figure 6 of the paper: coefficient of restitution over the stiffness. The reference case (rod
-/// without waves) is shown with the stiffness divided by Z/(2T) and by Z/t0.
+/// Returns Figure 6 of the paper: coefficient of restitution e over the stiffness β. The reference case (rod
+/// without waves) is shown with both reference stiffnesses in ReferenceStiffness.
 Figure figure6();
-/// Returns Figure 7 of the paper: coefficient of restitution over the stiffness, exact and from the closed
-/// form with its neglected terms.
+/// Returns Figure 7 of the paper: coefficient of restitution e over the stiffness β, exact and from the
+/// closed-form approximation, and the terms that this approximation neglects.
 Figure figure7();
-/// Returns Figure 8 of the paper: coefficient of restitution over one period of the gap. The reference case
-/// (rod without waves) is shown with the stiffness divided by Z/(2T) and by Z/t0.
+/// Returns Figure 8 of the paper: coefficient of restitution e over one period of the gap. The reference
+/// case (rod without waves) is shown with both reference stiffnesses in ReferenceStiffness.
 Figure figure8();
 
 /// Returns the figure of the paper with a number from firstPaperFigure (3) to lastPaperFigure (8).

@@ -13,27 +13,28 @@ namespace drillwave {
 inline constexpr Groups paperElastic{0.5, 1, 10, 0};
 inline constexpr Groups paperBilinear{0.5, 0.1, 10, 0};
 
-/// Range of the dimensionless stiffness β in Figs 6 and 7 of the paper, 0.1 … 10.
+/// Least and largest dimensionless stiffness β in Figs 6 and 7 of the paper.
 inline constexpr double paperLeastBeta = 0.1;
 inline constexpr double paperMostBeta = 10;
 
-/// Returns the dimensionless problem of a blow in the paper: a rectangular hammer force, or the reference
-/// case of a rod that arrives without waves.
+/// Returns the dimensionless problem of a blow in the paper. The rod is loaded by a rectangular hammer
+/// force, or arrives without waves in the reference case (PulseShape::rigidBody).
 Problem paperProblem(const Groups& groups, PulseShape shape = PulseShape::rectangular);
 
-/// Returns the exact solution of a blow in the paper, with results up to `detail`.
+/// Returns the exact solution of a blow in the paper. `detail` selects how many results are computed.
 Impact solvePaperCase(const Groups& groups, Detail detail, PulseShape shape = PulseShape::rectangular);
 
 /// Returns the coefficient of restitution e of a blow by a rectangular hammer force; NaN if it could not be
 /// solved.
 double paperCor(const Groups& groups);
 
-/// Returns the coefficient of restitution e without a gap for the dimensionless stiffness `beta`, elasticity
-/// `gamma` and rod length `tau`.
+/// Returns the coefficient of restitution e of a rod under a rectangular hammer force, with no gap between
+/// bit and rock. `beta` is the dimensionless stiffness β, `gamma` the elasticity γ of the rock and `tau` the
+/// transit time τ of the rod. NaN if the blow could not be solved.
 double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau);
 
-/// Reference stiffness k0 in β = k/k0 for the reference case, a rod that arrives without waves. The result of
-/// that case depends only on γ and βτ.
+/// Reference stiffness k0 in β = k/k0 for the reference case, a rod that arrives with uniform velocity and
+/// no waves. The coefficient of restitution of this case depends only on γ and βτ.
 enum class ReferenceStiffness {
     roundTrip,  ///< k0 = Z/(2T), as in the paper's reference curves: equal work, τ = 1/2
     pulse,      ///< k0 = Z/t0, as in section 5.1 of the paper, computed for τ = 10

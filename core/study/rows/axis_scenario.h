@@ -17,26 +17,27 @@ namespace drillwave {
 /// Returns the parameters that the axes set, in the order of the axes.
 Assignments assignmentsOf(std::span<const SweepAxis> axes);
 
-/// Calls `visit(point)` for every combination of extreme values of the axes. `point` has one value index for
-/// each axis.
+/// Calls `visit(point)` for every corner of the grid of the axes: every combination of the smallest and
+/// largest values, and of all words and presets. `point` has the index of the value on each axis.
 void visitCorners(std::span<const SweepAxis> axes,
                   const std::function<void(std::span<const std::uint64_t>)>& visit);
 
 /// Reason why a combination of axis values is not a valid scenario.
 struct PointObstacle {
     std::string key;  ///< key of the parameter that the reason is about; may be empty
-    /// Reason without the value, such as "rod.bore must be less than the diameter of 38 mm".
+    /// Reason without the axis value that caused it, such as "rod.bore must be less than the diameter of 38
+    /// mm". The member `text` includes this value.
     Message reason;
     Message text;  ///< reason including the value that caused it, if there is one
-    /// Whether an axis cannot set its value at this point at all, for example because its parameter does not
-    /// apply to the scenario.
+    /// Whether the axis cannot set its value at all, for example because its parameter does not apply to the
+    /// scenario. False if the value was set but makes the scenario invalid.
     bool isMeaning = false;
 };
 
-/// Scenario with the values of several axes set on top of a base scenario. Each thread needs its own object.
-/// All studies use the same rule for a valid point. Every axis must apply to the scenario, and no two axes
-/// may set the same section. The scenario must be valid and contain the values as set. Other points have no
-/// result.
+/// Scenario at a point of a grid: the values of several axes are set on top of a base scenario. All studies
+/// use it, so that they agree on which points are valid. Every axis must apply to the scenario, and no two
+/// axes may set the same section. The scenario must be valid and contain the values as set. Points that are
+/// not valid have no result. Each thread needs its own object.
 class AxisScenario {
   public:
     /// Stores references to both arguments, which must outlive this object.
@@ -51,8 +52,8 @@ class AxisScenario {
     /// Returns why the scenario from the last call of set() is invalid; empty if it is valid.
     const std::optional<PointObstacle>& obstacle() const { return m_obstacle; }
 
-    /// Returns whether the hammer force may change when the axes from index `firstChanged` on take other
-    /// values. If it cannot, it need not be set again.
+    /// Returns whether the hammer force may change if only the axes from index `firstChanged` on take other
+    /// values. If not, the caller can keep the hammer force of the previous point.
     bool movesPulse(std::size_t firstChanged) const {
         return m_lastPulseAxis && firstChanged <= *m_lastPulseAxis;
     }

@@ -18,23 +18,25 @@ namespace drillwave {
 /// force. Each thread needs its own object.
 class CaseSolver {
   public:
-    /// Stores a reference to `columns`, which must outlive the solver. The work of each case is limited to
-    /// `workLimit` wave pieces. It is solved with detail `least`, or with more if the columns need it.
+    /// Stores a reference to `columns`, which must outlive the solver. Limits the work of each case to
+    /// `workLimit` wave pieces (the solver's unit of work). `least` is the lowest level of detail of the
+    /// solutions; columns may require a higher one.
     CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
                Detail least = Detail::cor);
 
-    /// Sets the hammer force from a scenario. Must be called before solve() whenever the hammer force may
-    /// have changed.
+    /// Stores the hammer force of a scenario for later calls of solve(). Must be called before solve()
+    /// whenever the hammer force may have changed.
     void setPulse(const Scenario& scenario) {
         if (isForced(scenario)) m_problem.drive = pulseForceOf(scenario);
     }
 
-    /// Solves a scenario and writes one value for each column to `outputs`, NaN if a column has none. Returns
-    /// why the scenario could not be solved (all outputs are then NaN); empty if it was solved.
+    /// Solves a scenario and writes one value for each column to `outputs`, NaN if a column has no value.
+    /// Returns why the scenario could not be solved; `outputs` then has no valid values. Returns an empty
+    /// message if the scenario was solved.
     Message solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
 
-    /// Returns why a column of the last case has no value although such scenarios normally have one; empty if
-    /// the reason is not known.
+    /// Returns why the last sequence of blows has no statistics, such as a mean penetration rate. Columns
+    /// that need them then have no value. Empty if the sequence has statistics or if none was computed.
     const Message& lack() const { return m_lack; }
 
     /// Returns whether the blows of the last case do not repeat periodically, so that their mean values
@@ -44,24 +46,26 @@ class CaseSolver {
     /// Returns the single blow solved in the last case. It is an unsolved default if the columns only need
     /// sequences of blows.
     const Impact& impact() const { return m_impact; }
-    /// Returns the part of the error of e that varies at random from case to case; a curve through the cases
-    /// need not follow it. For drill strings it is less than the stated error, which is mostly the same from
-    /// case to case.
+    /// Returns the part of the error of e that varies at random from case to case. A curve fitted through
+    /// the cases need not follow this scatter. For drill strings it is less than the stated error, which is
+    /// nearly the same in all cases.
     double scatter() const { return m_scatter; }
     const Problem& problem() const { return m_problem; }
 
   private:
     Message solveDrillString(const Scenario& scenario, std::span<double> outputs,
                              const std::stop_token& stop);
-    /// Writes the outputs of a uniform rod, from the summary of its blow, to `outputs`. Returns why they are
-    /// not valid; empty if they are.
+    /// Writes the outputs of a blow in a uniform rod to `outputs`, computed from the summary of the blow.
+    /// Returns why they are not valid; empty if they are.
     Message fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
                      const std::stop_token& stop);
-    /// Computes a sequence of blows if a column needs one and the scenario allows it. Returns why it failed;
-    /// empty if it did not fail, and if the blows push the machine back.
+    /// Computes a sequence of blows if a column needs one and the scenario allows it. Returns why the
+    /// sequence gives no result. Empty if it gives one, if no sequence was computed, or if the blows push
+    /// the machine back.
     Message march(const Scenario& scenario, const std::stop_token& stop);
-    /// Writes the outputs from `source`. Returns why the values are not valid (they are then NaN); empty if
-    /// they are valid.
+    /// Writes the value of each column, taken from `source` and from a sequence of blows if a column needs
+    /// one. Returns why the values are not valid, for example because one is infinite. In this case
+    /// `outputs` has no valid values. Returns an empty message if they are valid.
     Message fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop);
 
     std::span<const OutputColumn> m_columns;

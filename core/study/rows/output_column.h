@@ -53,14 +53,15 @@ std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits uni
 /// Returns the level of detail that the solver must provide for the columns.
 Detail detailFor(std::span<const OutputColumn> columns);
 
-/// Returns which results, such as the largest forces, must be computed from the waves to fill the columns.
+/// Returns which optional results must be computed from the histories of the waves to fill the columns, such
+/// as the largest forces in the rod.
 WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
 
 /// Returns which results of a sequence of blows the columns need, so that nothing else is computed.
 RequiredMarches drillWishesFor(std::span<const OutputColumn> columns);
 
-/// Returns why one of the columns would be empty for all scenarios like `scenario`, and what to do; empty if
-/// none would be.
+/// Returns why one of the columns can have no value for this scenario, and what to do; empty if there is no
+/// such column. Columns in SI units, for example, have no values for a dimensionless scenario.
 Message columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
 
 /// Returns the names of outputs that chooseOutputs() accepts, in their order.

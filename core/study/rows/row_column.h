@@ -20,7 +20,7 @@ struct RowColumn {
     };
 
     /// Heading of the column, such as "beta", "peak_force [N]" or "rod.length [mm]". For Kind::quantity,
-    /// files show the unit of the heading, but the numbers of the rows are in SI.
+    /// rows contain SI values; appendText() converts them to the unit of the heading.
     std::string header;
     Kind kind = Kind::number;
     Quantity quantity = Quantity::ratio;
@@ -38,12 +38,12 @@ struct RowColumn {
     }
 };
 
-/// Headings and columns of all rows of a run.
+/// Headings and meanings of the columns in the rows of a run. A sink receives them before the first row.
 struct RowHeader {
     std::vector<std::string> copied;  ///< headings of the text cells that precede the numbers
     std::vector<RowColumn> columns;   ///< meaning of each number in a row
-    /// Whether these rows are the first part of the table and have a header. Later parts are appended without
-    /// one.
+    /// Whether these rows are the first part of a table. Only the first part of a file begins with a line of
+    /// headings; later parts are appended to it.
     bool isFirstPart = true;
 };
 

@@ -16,7 +16,7 @@ namespace drillwave {
 /// count only in RowCounts::failed.
 inline constexpr std::size_t maximumRowReasons = 3;
 
-/// Number of rows completed, during a run of rows or at its end.
+/// Counts of the rows that a run of a sweep or table has completed so far, or at its end.
 struct RowCounts {
     std::uint64_t rows = 0;    ///< rows delivered to the sink
     std::uint64_t failed = 0;  ///< rows delivered that were not solved and have no outputs

@@ -11,15 +11,17 @@
 
 namespace drillwave {
 
-/// Base of the chunks of rows that threads compute. Derived types add the input of their rows.
+/// Base class of a chunk: consecutive rows that one thread computes together. Derived types add the input of
+/// these rows.
 struct RowChunk {
     RowBlock rows;
     std::string prepared;
 };
 
-/// Computes chunks of rows on `jobs` threads and passes them to the sink in order; returns the counts.
-/// `Chunk` must derive from RowChunk. `fill` puts the input of the next rows into a chunk. `makeMaker`
-/// creates, for each thread, a function maker(Chunk&, std::stop_token) that computes the rows.
+/// Computes chunks of rows on `jobs` threads and passes them to the sink in order. Returns how many rows
+/// were completed and how many of them failed. `Chunk` must derive from RowChunk. `fill` puts the input of
+/// the next rows into a chunk. `makeMaker` creates, for each thread, a function maker(Chunk&,
+/// std::stop_token) that computes the rows.
 template <typename Chunk, typename Fill, typename MakeMaker>
 RowCounts runRows(int jobs, std::stop_token stop, Fill fill, MakeMaker makeMaker, const RowHeader& header,
                   RowSink& sink, const RowProgress& progress) {

@@ -21,8 +21,8 @@ class RowSink {
     virtual bool begin(const RowHeader& header) = 0;
 
     /// Prepares a block of rows on the thread that computed it, for example by formatting its text. May be
-    /// called for several blocks at once. The result in `prepared` (initially empty) is passed to take() with
-    /// the rows.
+    /// called on several threads at the same time. The result in `prepared` (initially empty) is passed to
+    /// take() with the rows.
     virtual void prepare(const RowBlock& rows, std::string& prepared) const {
         (void)rows;
         (void)prepared;

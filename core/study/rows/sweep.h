@@ -37,10 +37,10 @@ inline constexpr std::size_t maximumSweepAxes = 8;
 /// Returns the number of points of the whole grid; 0 if it exceeds maximumSweepPoints.
 std::uint64_t pointCount(const Sweep& sweep);
 
-/// Solves the points of a sweep and passes the rows in order to `sink`, such as a CSV file; returns the
-/// counts. A row has the values of the axes (SI), then the outputs. `progress` is called on the calling
-/// thread. Memory does not grow with the number of points. The rows do not depend on the number of threads
-/// `jobs` (≥ 1). Requires problemsOf() to be empty.
+/// Solves the points of a sweep and passes the result rows in order to `sink`, such as a CSV file. Returns
+/// how many rows were completed and how many of them failed. A row has the values of the axes (SI), then the
+/// outputs. `progress` is called on the calling thread. Memory does not grow with the number of points. The
+/// rows do not depend on the number of threads `jobs` (≥ 1). Requires problemsOf() to be empty.
 RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& sink,
                    const RowProgress& progress);
 

@@ -37,18 +37,21 @@ struct SweepAxis {
     RowColumn column() const;
     std::string_view key() const;
 
-    /// Returns value number i (from 0) in SI units, or the index of a word. The ends of a range are exactly
-    /// as typed; values between them are evenly spaced in `unit`, or in equal ratios.
+    /// Returns value number i (from 0) in SI units, or for words and presets the index of the word. The ends
+    /// of a range are exactly as typed. Values between them are evenly spaced in `unit`, or have equal
+    /// ratios on a logarithmic axis.
     double value(std::uint64_t i) const;
-    /// Returns the smallest and largest value, widened at both ends by `room` times their difference (for a
-    /// logarithmic axis, of the logarithms). A single value is widened by a twentieth of its size on both
-    /// sides.
+    /// Returns the smallest and the largest value, as the range of a diagram axis with a margin. The range
+    /// is widened at both ends by `room` times the difference of the two values (of their logarithms on a
+    /// logarithmic axis). A single value is widened on both sides by a twentieth of its size.
     std::pair<double, double> range(double room = 0) const;
     bool isLogarithmic() const { return kind == Kind::logarithmic; }
     /// Sets a value (SI) of the axis in a scenario. Returns why the scenario cannot have it, such as
     /// "rod.bore does not apply here: …"; empty if it was set.
     Message assign(Scenario& scenario, double value) const;
-    /// Returns why a scenario does not contain the value after all axes were set; empty if it does.
+    /// Returns why a scenario does not have `value` although assign() has set it, for example because a
+    /// later axis changed it. Empty if it has the value, and for words and presets. Must be called after all
+    /// axes were set.
     Message readBackProblem(const Scenario& scenario, double value) const;
     /// Returns the indices of the smallest and the largest value; for words and presets, the indices of all
     /// values.
@@ -67,19 +70,21 @@ struct ParsedAxis {
     Message problem;
 };
 
-/// Returns the axis of a curve, read from "KEY=START:STOP" or "KEY=START:STOP:log"; its count is 2. There is
-/// a problem if the text or a value is invalid, or if followProblem() refuses the range.
+/// Returns an axis along which a continuous curve is computed, read from "KEY=START:STOP" or
+/// "KEY=START:STOP:log". Its values are only start and stop. There is a problem if the text or a value is
+/// invalid, or if followProblem() refuses the range.
 ParsedAxis parseRange(std::string_view text);
 
-/// Returns why a curve cannot follow an axis from `start` up to `stop`, such as a stop that is not above the
-/// start; empty if it can. Requires that both ends are valid values of the parameter.
+/// Returns why a continuous curve cannot be computed along an axis, for example because `stop` is not above
+/// `start`. Empty if it can. Requires that both ends are valid values of the parameter.
 Message followProblem(const SweepAxis& axis);
 
-/// Returns the message that the range of an axis must end above its start.
+/// Returns the message that `stop` of an axis must be above its `start`.
 Message mustRise(const SweepAxis& axis);
 
-/// Returns how many evenly spaced values from `start` to `stop` an axis can have: `most` (≥ 2). For a
-/// whole-number parameter it is the largest number, at most `most`, for which all values are whole numbers.
+/// Returns the number of evenly spaced values from `start` to `stop` if the user gives none: `most` (≥ 2).
+/// If the parameter takes only whole numbers, it is the largest number up to `most` for which all values are
+/// whole. `most` is returned if `stop` − `start` is not a whole number ≥ 1.
 std::uint64_t countWithin(const Parameter& parameter, double start, double stop, std::uint64_t most);
 
 /// Returns the axis read from "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C", or a

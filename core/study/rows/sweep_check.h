@@ -9,10 +9,10 @@
 
 namespace drillwave {
 
-/// Returns the problems of a sweep, one message each; empty if it can run. Problems are two axes of one
-/// quantity, too many axes or points, and outputs that such scenarios do not have. Another is a grid without
-/// any corner that is a valid scenario (see AxisScenario). Single invalid points are allowed and have no
-/// result.
+/// Returns the problems of a sweep, one message each; empty if the sweep can run. Problems are two axes of
+/// one quantity, too many axes or points, and outputs that such scenarios do not have. A grid is also a
+/// problem if none of its corners is a valid scenario (see AxisScenario). Single invalid points are no
+/// problem: they have no result.
 std::vector<Message> problemsOf(const Sweep& sweep);
 
 }  // namespace drillwave

@@ -30,7 +30,8 @@ inline constexpr std::uint64_t mostDrawnLines = 16;
 /// values, at least two. If there is none, returns the number of axes.
 std::size_t lineAxis(const std::vector<SweepAxis>& axes);
 
-/// Returns why a sweep cannot be drawn and what to do; empty if it can.
+/// Returns why the rows of a sweep cannot be drawn as a diagram, and what the user can do. Empty if they can
+/// be drawn.
 Message pictureProblem(const Sweep& sweep);
 
 /// Sink that stores the values of all rows, for drawing, and passes the rows on to another sink.

@@ -41,16 +41,16 @@ struct TableCheck {
     WorkEnd end = WorkEnd::finished;
 };
 
-/// Returns the number of rows of a table and its problems. Checks every cell of the rows in Table::shard, the
-/// part to be solved; other rows are only counted. `cases` must be seekable and must be rewound by the caller
-/// afterwards.
+/// Checks a table before it is solved. Returns its number of rows and the problems in them. Checks every
+/// cell of the rows in Table::shard, which are to be solved; other rows are only counted. `cases` must be
+/// seekable. The caller must rewind it before runTable().
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop);
 
-/// Solves the rows of a table and passes them in order to `sink`, such as a CSV file; returns the counts.
-/// Each row has the cells of `cases` as unchanged text, then the outputs as numbers. `rows` is the count from
-/// checkTable(). `progress` is called on the calling thread. Memory does not grow with the number of rows.
-/// The rows do not depend on the number of threads `jobs` (≥ 1). A row that became invalid after the check
-/// counts as failed.
+/// Solves the rows of a table and passes the result rows in order to `sink`, such as a CSV file. Returns how
+/// many rows were completed and how many of them failed. Each row has the cells of `cases` as unchanged
+/// text, then the outputs as numbers. `rows` is the count from checkTable(). `progress` is called on the
+/// calling thread. Memory does not grow with the number of rows. The rows do not depend on the number of
+/// threads `jobs` (≥ 1). A row that became invalid after the check counts as failed.
 RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,
                    std::stop_token stop, RowSink& sink, const RowProgress& progress);
 

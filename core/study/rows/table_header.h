@@ -38,8 +38,8 @@ struct HeaderRemark {
 struct TableHeader {
     std::vector<CaseColumn> columns;
     /// Errors in the header, such as a parameter that occurs twice, an unknown unit, or no column that sets a
-    /// parameter. Names that differ from a parameter only in case or `_`, that look like a parameter but are
-    /// none, or that contain several, are errors too.
+    /// parameter. A name that differs from a parameter only in case or `_` is also an error. The same is true
+    /// of a name that looks like a misspelt parameter or contains several parameters.
     std::vector<HeaderRemark> problems;
     /// Warnings about columns that are only copied: those with an unknown name, and those with the heading of
     /// an output that is also computed.
@@ -49,7 +49,8 @@ struct TableHeader {
     Assignments assignments() const;
 };
 
-/// Returns the header read from the first row of a table. `outputs` are the columns that will be appended.
+/// Returns the header read from the first row of a table. `outputs` are the result columns that will be
+/// appended. A column of the table with the same heading as one of them gets a warning.
 TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs);
 
 }  // namespace drillwave

@@ -26,13 +26,15 @@ struct DrillingScan {
     SweepAxis axis;
     DrillingSettings settings;
     /// Sequences of blows in the order of the values. For each value there is a sequence that starts from
-    /// rest. One that starts from bouncing follows if it differs by more than the errors.
+    /// rest. A sequence that starts from bouncing follows only if its results differ from those from rest by
+    /// more than the errors.
     std::vector<DrillingScanPoint> points;
     /// Number of computed blows in all sequences that start from bouncing. At each value, such a sequence
     /// stops as soon as it agrees with the one from rest.
     long bouncingBlows = 0;
     /// Coefficient of restitution e of a single blow from rest without a gap, at the first value of the
-    /// scanned parameter. If the feed force is scanned, e is the same for all values. Empty if not known.
+    /// scanned parameter. If the scanned parameter is the feed force, e is the same for all its values.
+    /// Empty if not known.
     std::optional<double> cor = {};
     double runTime = 0;
     /// Reason from scanRefusals() why the scan cannot run; there are then no points. Empty otherwise.
@@ -54,8 +56,9 @@ struct DrillingScanWork {
 std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
                                   const DrillingSettings& settings);
 
-/// Returns the estimated work at one value of a scanned parameter [time steps × nodes]. It includes the
-/// sequence from rest with its error and Lyapunov exponent, and one from bouncing.
+/// Returns the estimated work for one value of a scanned parameter [time steps × nodes], so that scans that
+/// take too long can be refused. It is the work of a sequence from rest, with its error and Lyapunov
+/// exponent, and of one from bouncing.
 double scanWork(const Scenario& scenario, const DrillingSettings& settings);
 
 /// Returns the sequences of blows for all values of the axis, computed in parallel. Results do not depend on

@@ -18,7 +18,8 @@ struct ScanComparison {
     };
     std::vector<Entry> entries;  ///< sequences with statistics, in the order of the values; never empty
     std::size_t bestPlace = 0;   ///< index of the entry with the largest penetration rate
-    /// Entry whose error makes the choice of the best one uncertain; empty if the choice is certain.
+    /// Entry that may be the best one, because its mean penetration rate is too uncertain (see
+    /// Sequence::isResolved()). Empty if the choice of the best entry is certain.
     std::optional<Entry> unresolved;
 
     const Entry& best() const { return entries[bestPlace]; }
@@ -26,10 +27,12 @@ struct ScanComparison {
     /// Returns whether the penetration rate of a sequence is lower than the best by more than the errors of
     /// both.
     bool isLower(const Sequence& sequence) const;
-    /// Returns whether any entry has a penetration rate lower than the best by more than the errors.
+    /// Returns whether any entry has a penetration rate lower than that of best() by more than the errors of
+    /// both.
     bool isAnyLower() const;
-    /// Returns the penetration rate of a sequence divided by the best one. Empty if the choice of the best
-    /// one or the mean of the sequence is too uncertain (see isResolved() of both).
+    /// Returns the penetration rate of a sequence of blows divided by that of the best entry. Empty if it is
+    /// uncertain which entry is best, or if the mean of the sequence is uncertain. See isResolved() of
+    /// ScanComparison and of Sequence.
     std::optional<double> bestShare(const Sequence& sequence) const;
 };
 

@@ -22,33 +22,36 @@ struct GapRebound {
     bool known() const { return !stopped && reason.isEmpty(); }
 };
 
-/// Two coefficients of restitution e over all gaps, from which required feed forces follow (theory §10). They
-/// depend only on the hammer force, on β, γ and τ, and on the corners of the rock law.
+/// Two coefficients of restitution e, each of which considers all gaps between bit and rock. The required
+/// feed forces follow from them (theory §10). They depend only on the hammer force, on β, γ and τ, and on
+/// the shape of the rock law.
 struct GapRebounds {
     GapRebound quantile;  ///< value that e does not exceed at 95 % of all gaps, for this rock
     GapRebound worst;     ///< largest e over all gaps if the rock were elastic (γ = 1)
 
-    /// Returns the coefficients of restitution of `quantile` and `worst`; empty if one of them is not known.
+    /// Returns the values of e in `quantile` and `worst`; empty if either of them is not known.
     std::optional<ReboundsOverGaps> known() const {
         if (!quantile.known() || !worst.known()) return std::nullopt;
         return ReboundsOverGaps{quantile.cor, worst.cor};
     }
 };
 
-/// Returns the coefficient of restitution e over one period of the gap. The work of all blows is limited to
-/// `mostPieces` wave pieces; if it exceeds this, the curve is incomplete.
+/// Returns the coefficient of restitution e as a function of the gap between bit and rock, over one period.
+/// The work of all blows is limited to `mostPieces` wave pieces, the solver's unit of work. If more is
+/// needed, the curve is incomplete.
 GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress,
                    long mostPieces = anyNumberOfPieces);
-/// Returns the coefficient of restitution e over all gaps, from 0, on elastic rock (γ = 1) of the same
-/// stiffness without corners. The work of all blows is limited to `mostPieces` wave pieces; if it exceeds
-/// this, the curve is incomplete.
+/// Returns the coefficient of restitution e as a function of the gap between bit and rock, for gaps from 0.
+/// The rock is replaced by a linear elastic one (γ = 1) with the same loading stiffness. The work of all
+/// blows is limited to `mostPieces` wave pieces, the solver's unit of work. If more is needed, the curve is
+/// incomplete.
 GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
                       long mostPieces = anyNumberOfPieces);
 
 /// Returns the value of e that is not exceeded at 95 % of all gaps of the curve.
 GapRebound quantileOf(const GapCurve& rock);
-/// Returns the largest coefficient of restitution e over all gaps of a curve, or the reason why the curve is
-/// incomplete.
+/// Returns the largest coefficient of restitution e at any gap of a curve. If the curve is incomplete,
+/// returns the reason instead.
 GapRebound worstOf(const GapCurve& elastic);
 
 /// Solver for the two coefficients of restitution e in GapRebounds, from which the required feed force over

@@ -25,7 +25,8 @@ struct ThrustPoint {
     const ThrustNeed& need(ThrustCase which) const { return feed.need(which); }
 };
 
-/// Required feed force at several values, in their order; after a stop request, only the finished ones.
+/// Required feed force at several values of a parameter, in the order of the values. After a stop request it
+/// has only the points that were finished.
 struct ThrustCurve {
     std::vector<ThrustPoint> points;
     bool stopped = false;
@@ -35,22 +36,23 @@ struct ThrustCurve {
 using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
 
 /// Returns the required feed force for several values of a parameter (SI, within its allowed range). A point
-/// has a reason instead of numbers if the value does not apply or makes the scenario invalid. The same holds
-/// if thrustProblem() gives a reason or the blow cannot be solved. `limits` is the maximum work of each blow.
-/// The result does not depend on the number of threads `jobs` (≥ 1).
+/// has a reason instead of numbers if the value does not apply to the scenario or makes it invalid. A point
+/// also has a reason if thrustProblem() gives one or if its blow cannot be solved. `limits` is the maximum
+/// work of each blow. The result does not depend on the number of threads `jobs` (≥ 1).
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {},
                         const WorkLimits& limits = {});
 
 /// Returns the required feed force for several values of a parameter, computed on the calling thread.
-/// Coefficients of restitution over the gap that `finder` knows are not computed again, and new ones are kept
-/// in it.
+/// Coefficients of restitution that `finder` has already computed are used again, and new ones are stored in
+/// it.
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         GapReboundFinder& finder, const std::stop_token& stop = {},
                         const ThrustCurveProgress& progress = {});
 
-/// Returns the required feed force of the unchanged scenario, as a point of a curve. `value` is the
-/// parameter's value in it (NaN if it has none).
+/// Returns the required feed force of a scenario as a point that can be drawn beside a curve of
+/// thrustAlong(). `value` is the value of the curve's parameter in this scenario, NaN if it has none; it is
+/// stored in the point.
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop = {});
 

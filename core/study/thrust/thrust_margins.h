@@ -11,9 +11,9 @@
 
 namespace drillwave {
 
-/// Adds the required feed forces over all gaps to Blow::feed of a solved blow. The feed margin in files and
-/// JSON requires them. Adds nothing if that takes more than mostPiecesInPassing wave pieces (the solver's
-/// unit of work). The command `drillwave thrust` has no such limit.
+/// Adds the required feed forces for all gaps to Blow::feed of a solved blow, so that files and JSON can
+/// contain the feed margin. Adds nothing if the study of the gaps needs more than mostPiecesInPassing wave
+/// pieces (the solver's unit of work). The command `drillwave thrust` has no such limit.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
 /// Returns the estimate of the required feed force of a scenario, by solving its blow and using
@@ -28,15 +28,16 @@ class ThrustMargins {
     /// whose curve needs more has no result.
     explicit ThrustMargins(long mostPieces = anyNumberOfPieces) : m_finder(mostPieces) {}
 
-    /// Returns the feed margin: the effective feed force divided by the largest of the four required ones,
-    /// minus 1. `cor` is the e of the scenario's own blow, from which the first required force follows;
-    /// `problem` is that blow. Empty if thrustMarginProblem() gives a reason, if the curve over the gaps has
-    /// no result, and after a stop request.
+    /// Returns the feed margin: the effective feed force divided by the largest of the four required feed
+    /// forces (see ThrustCase), minus 1. `problem` is the solver's input for the blow of the scenario, and
+    /// `cor` the coefficient of restitution e of this blow. Empty if thrustMarginProblem() gives a reason,
+    /// if the study of all gaps has no result, and after a stop request.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                              const std::stop_token& stop);
-    /// Returns the estimate of all four required feed forces of a scenario. `cor` is the coefficient of
-    /// restitution e of its blow and `problem` that blow. Empty if thrustMarginProblem() gives a reason, if
-    /// the curve over the gaps has no result, and after a stop request.
+    /// Returns all four required feed forces of a scenario (see ThrustCase) with their errors. `problem` is
+    /// the solver's input for the blow of the scenario, and `cor` the coefficient of restitution e of this
+    /// blow. Empty if thrustMarginProblem() gives a reason, if the study of all gaps has no result, and
+    /// after a stop request.
     std::optional<FeedEstimate> estimate(const Scenario& scenario, const Problem& problem,
                                          const Estimate& cor, const std::stop_token& stop);
 

@@ -14,13 +14,15 @@ namespace drillwave {
 
 struct ThrustStudy {
     FeedEstimate feed;
-    /// Coefficients of restitution e for the two cases over all gaps. Empty for a drill string, whose results
-    /// do not repeat with the gap.
+    /// Coefficients of restitution e for ThrustCase::gapQuantile and ThrustCase::elasticWorst, the two cases
+    /// that consider all gaps. Empty for a drill string, whose e does not repeat periodically when the gap
+    /// grows.
     std::optional<GapRebounds> rebounds;
-    /// Impulse that the hammer transfers, in units of I0 (see ImpactSummary::transferred).
+    /// Momentum that the hammer or hammer force transfers to the rod or drill string, divided by I0, or by p0
+    /// for a hammer (see ImpactSummary::transferred).
     double transferred = 1;
-    /// Share of all gaps, 0 … 1, at which the effective feed force is at least the required one, f I0 (1 +
-    /// e). Empty without an installed feed force, and for a drill string.
+    /// Share of all gaps, 0 … 1, at which the effective feed force is sufficient: at least f I0 (1 + e) with
+    /// the e of the gap. Empty without an installed feed force, and for a drill string.
     std::optional<double> shareFull;
     Message reason;                          ///< reason why there is no result; empty if there is one
     Hindrance hindrance = Hindrance::other;  ///< kind of obstacle, if the scenario's own blow is the reason
@@ -28,8 +30,9 @@ struct ThrustStudy {
 
     const ThrustNeed& need(ThrustCase which) const { return feed.need(which); }
     const ThrustNeed& largestNeed() const { return feed.largest(); }
-    /// Returns the output `thrust_margin`: the effective feed force divided by the largest of the four
-    /// required ones, minus 1. Empty for a drill string, for which not all four are known.
+    /// Returns the output `thrust_margin`: the effective feed force divided by the largest of the required
+    /// feed forces of all four ThrustCase, minus 1. Empty for a drill string, for which not all four are
+    /// known.
     std::optional<double> margin() const;
 };
 
