@@ -9,9 +9,9 @@
 
 namespace drillwave {
 
-/// Returns the document with the identified rock. A comment after each identified value of the rock gives its
-/// source and interval; everything else in the text remains. If the text has an unusual layout, it is
-/// rewritten without these comments.
+/// Returns the scenario document with the rock parameters that were identified from measured records. A
+/// comment after each identified value gives its source and its interval of uncertainty; everything else in
+/// the text remains. If the text has an unusual layout, it is rewritten without these comments.
 ScenarioDocument identifiedDocument(const IdentifyReport& report, ScenarioDocument document);
 
 }  // namespace drillwave

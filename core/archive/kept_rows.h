@@ -12,7 +12,8 @@
 
 namespace drillwave {
 
-/// Progress of a run that writes rows.
+/// Progress of a sweep or table whose result rows are written to a CSV file. An interrupted run continues
+/// from here.
 struct RowsDone {
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;  ///< number of rows for which no result was found
@@ -20,16 +21,17 @@ struct RowsDone {
     bool operator==(const RowsDone&) const = default;
 };
 
-/// Two temporary files of a run: FILE.partial with the rows, and FILE.partial.yaml with their description and
-/// progress. Only one process at a time can use them.
+/// Two temporary files of a run that writes result rows to a CSV file: FILE.partial with the rows,
+/// FILE.partial.yaml with their description and progress. An interrupted run can continue from them. Only one
+/// process at a time can use them.
 class KeptRows {
   public:
-    /// Treatment of rows that another run has left in the temporary files: reported as a problem, or
-    /// overwritten.
+    /// Treatment of temporary files that contain rows of another run: report a problem, or overwrite them.
     enum class Other { isProblem, isReplaced };
 
-    /// Continues the interrupted run of this `file` if it has the same `entries` (recordEntries()). Otherwise
-    /// begins a new run.
+    /// Continues the interrupted run that writes the CSV file `file`, if it has the same description
+    /// `entries` (recordEntries()). Otherwise begins a new run. `other` decides what happens to rows of a
+    /// different run.
     KeptRows(const std::string& file, const std::string& entries, Other other);
     ~KeptRows();
     KeptRows(const KeptRows&) = delete;
@@ -44,10 +46,11 @@ class KeptRows {
     /// FILE.partial may have more bytes than RowsDone::sum counts; the further ones are not valid.
     const RowsDone& done() const { return m_done; }
 
-    /// Records the progress, but at most every 200 ms. All rows counted in `done` must already be written to
-    /// FILE.partial. Returns an empty failure when done.
+    /// Writes the progress to FILE.partial.yaml, but at most every 200 ms. All rows counted in `done` must
+    /// already be in FILE.partial. Returns an empty failure when done or skipped.
     WriteFailure note(const RowsDone& done);
-    /// Records the progress at once. Returns an empty failure when done.
+    /// Writes the progress to FILE.partial.yaml at once, while note() may skip it. Returns an empty failure
+    /// when done.
     WriteFailure noteNow(const RowsDone& done);
     /// Removes FILE.partial.yaml, which holds the description and progress of the rows. Call it after the
     /// rows have been moved to their final file.
@@ -55,8 +58,9 @@ class KeptRows {
 
   private:
     void open(const std::string& entries, Other other);
-    /// Sets the progress to that in the text `notes` of an earlier run, as far as FILE.partial confirms it.
-    /// Returns the number of bytes of `notes` that are valid.
+    /// Sets the progress to the last valid one in `notes`, the text of FILE.partial.yaml after its
+    /// description. If the beginning of FILE.partial has another checksum, no rows are kept. Returns the
+    /// number of valid bytes of `notes`.
     std::uint64_t takeUp(std::string_view notes);
 
     std::string m_path;

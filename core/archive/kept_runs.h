@@ -16,10 +16,10 @@ namespace drillwave {
 /// file: A.yaml, B.yaml, …
 inline constexpr int mostRuns = 12;
 
-/// Returns the letter of a run: "A" for 0, "B" for 1.
+/// Returns the letter by which the user knows the pinned run with this number: "A" for 0, "B" for 1.
 std::string runLetter(int number);
 
-/// Returns the file name of a run: "A.yaml" for 0.
+/// Returns the name of the scenario file of the pinned run with this number: "A.yaml" for 0.
 std::string runFileName(int number);
 
 /// Pinned run: a result kept for comparison, with everything that is needed to solve it again.
@@ -52,15 +52,15 @@ std::string runsFolderOf(const std::string& scenarioPath);
 /// Returns the files for a folder of pinned runs: one scenario file per run and, last, the index file.
 std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs);
 
-/// Returns the pinned runs stored in a folder; none and no problem if the folder does not exist. A table file
-/// of the hammer force is searched relative to the scenario file.
+/// Returns the pinned runs stored in a folder; none and no problem if the folder does not exist. The relative
+/// path of a force table starts at the folder of the scenario file.
 KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath);
 
 // Folder of kept runs, and which of its files this program has written.
 
-/// Folder of pinned runs. This object remembers names and contents of the files that it has read or written.
-/// A file is foreign if it has the name of a run but is not among them, or if its contents have changed
-/// since. Copies may be used on another thread.
+/// Folder of pinned runs (results kept for comparison). The object remembers names and contents of the files
+/// that it has read or written. A file of a run is foreign if it is not one of these, or if its contents have
+/// changed since. Copies may be used on another thread.
 class RunsFolder {
   public:
     RunsFolder() = default;
@@ -68,23 +68,24 @@ class RunsFolder {
 
     /// Returns the path of the folder of pinned runs; empty if the scenario has no file.
     const std::string& path() const { return m_path; }
-    /// Remembers the files with these names as files of this program, which it may replace. It stores their
-    /// present contents on the disk, to notice changes by others.
+    /// Treats the files with these names as files of this program, which it may replace. Reads their present
+    /// contents from the disk and remembers them, to notice later changes by others. Forgets all other files.
     void adopt(const std::vector<NamedFile>& named);
     bool hasFiles() const { return !m_files.empty(); }
-    /// Returns whether these are exactly the files that this object has read or written, with the same names
-    /// and bytes. Does not read the disk.
+    /// Returns whether `files` are exactly the files that this object has read or written, with the same
+    /// names and bytes. Then nothing needs to be written. Does not read the disk.
     bool holds(const std::vector<NamedFile>& files) const;
     /// Returns the path of the first foreign file that writing these files would replace or remove. A foreign
     /// file is one that this object has neither read nor written, or that has changed since. Empty if there
     /// is none.
     std::string foreignFile(const std::vector<NamedFile>& files) const;
-    /// Returns the numbers of runs whose files exist but were not read or written by this object.
+    /// Returns the numbers of pinned runs whose files exist in the folder but were not read or written by
+    /// this object. New runs must not use these numbers.
     std::vector<int> foreignNumbers() const;
 
-    /// Writes the files of all runs, the index last, all or none. Removes files of earlier runs that are not
-    /// among them. Foreign files are replaced only with ExistingFiles::replaced; otherwise they are a
-    /// problem. Returns an empty message when done, else the problem. Waits for the disk.
+    /// Writes all files of the pinned runs, the index last: all or none. Removes files of earlier runs that
+    /// are not in `files`. Foreign files are replaced only with ExistingFiles::replaced; otherwise they are a
+    /// problem. Returns an empty message when done, else the problem. Waits until the files are on the disk.
     Message write(const std::vector<NamedFile>& files, ExistingFiles existing);
     /// Removes the files that this object has read or written, except files that others have changed since.
     /// Removes the folder too if nothing else is in it.

@@ -11,20 +11,19 @@
 
 namespace drillwave {
 
-/// Returns the report on a scenario, see studyReport(), together with the scenario and the sources of its
-/// values. Throws ScenarioError if the scenario cannot be written as a complete text, see
-/// completeScenarioText().
+/// Returns the report on the blow of a scenario (studyReport()), with the text of the scenario and the
+/// sources of its values. Throws ScenarioError if completeScenarioText() cannot write this text.
 BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& stop = {},
                     const GapProgress& progress = {}, const WorkLimits& limits = {});
 
-/// Returns the values given in the text of a scenario file, in the order of the file, and values that it
-/// omits, all with their sources. The source is the comment after the value, else the built-in preset that
-/// the scenario follows. Without both it is "not stated", or "assumed by the program" for omitted values.
+/// Returns the values in the text of a scenario file, in its order, and the values that it omits, each with
+/// its source. The source is the comment after the value, else the built-in preset that the scenario follows.
+/// Otherwise it is "not stated", or "assumed by the program" for omitted values.
 std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text);
 
-/// Returns the sections that the text of a scenario file lists for hammer and drill string, with the source
-/// of each. Empty for a uniform rod. A source is the comments after the values, else the comment after the
-/// list, else the preset.
+/// Returns the sections of hammer and drill string in the text of a scenario file, each with the source of
+/// its values. The source is the comments after the values, else the comment after the list, else the preset.
+/// Empty for a uniform rod.
 std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text);
 
 }  // namespace drillwave

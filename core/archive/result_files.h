@@ -19,8 +19,8 @@ namespace drillwave {
 /// File extensions of the picture formats.
 inline constexpr std::array<std::string_view, 3> pictureFormats{"png", "svg", "pdf"};
 
-/// Texts in the properties of pictures, by which a later run recognises pictures that it may replace. The
-/// pictures belong to a study, to figures of the paper, or to a report.
+/// Creator that the program writes into the properties of a picture: of a study, of a figure of the paper, or
+/// of a report. By this text, a later run recognises pictures that it may replace.
 inline constexpr std::string_view studyPictureMark = "Drillwave study";
 inline constexpr std::string_view figureMark = "Drillwave figure";
 inline constexpr std::string_view reportMark = "Drillwave report";
@@ -52,7 +52,8 @@ std::string runHeader(const SolvedRun& run);
 /// drill string these include the middle of its longest section. Requires Impact::hasHistories().
 std::string historiesFile(const SolvedRun& run);
 
-/// Returns the text of events.csv: a header with the entire scenario, then the events of the blow.
+/// Returns the text of events.csv: a header with the entire scenario, then the contact events of the blow
+/// with their times.
 std::string eventsFile(const SolvedRun& run);
 
 /// Returns the text of scenario.yaml: the program and the method that solved the scenario, and the complete
@@ -66,7 +67,7 @@ std::vector<std::string> runFileNames(const std::vector<std::string>& formats);
 /// Pictures in all formats are included.
 std::vector<std::string> runFilesThere(const std::string& folder);
 
-/// File name of the record of gauges in the folder of a run (core/report/gauge_record.h).
+/// Name of the file with the record of strain gauges in the folder of a run (core/report/gauge_record.h).
 inline constexpr char gaugeRecordName[] = "record.csv";
 
 /// Returns the files to be written for a run, together with `further` ones, such as pictures or a record of

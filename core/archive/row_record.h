@@ -60,7 +60,8 @@ std::string sumLines(std::string_view prefix, const FileSum& sum);
 /// Key of the last line of a record, which is the checksum of all lines before it.
 inline constexpr std::string_view recordChecksumKey = "record_crc32";
 
-/// Returns the lines of a record, followed by a last line with their checksum.
+/// Returns `entries`, the lines of a record, followed by a last line with their checksum. unsealed() checks
+/// it.
 std::string sealed(std::string entries);
 
 /// Returns the lines of a record without the last line, the checksum. Returns nullopt if this line is missing
@@ -81,13 +82,13 @@ struct RowPart {
     std::string record;          ///< entries of the record, without the checksum
 };
 
-/// Returns the contents of a record of rows; `file` is the file of the rows. Throws ScenarioError
-/// (unreadable) if the text is not a record, or was changed after it was written.
+/// Returns the contents of a record, the YAML text that describes the CSV file `file` with rows. Throws
+/// ScenarioError (unreadable) if the text is not a record, or was changed after it was written.
 RowPart parseRowPart(std::string_view record, const std::string& file);
 
-/// Returns the first key in which the records of two parts of a divided sweep or table differ, although they
-/// must agree: "axes". Empty if they agree. Only the keys rows, unsolved, bytes, crc32, part and command may
-/// differ.
+/// Returns the first key in which the records of two parts of a divided sweep or table differ, for example
+/// "axes". Such parts do not belong together. Empty if they agree. The keys rows, unsolved, bytes, crc32,
+/// part and command may differ.
 std::string differingKey(const RowPart& one, const RowPart& other);
 
 /// Returns why the parts of a divided sweep or table cannot be joined: missing or repeated parts, or parts
@@ -95,16 +96,16 @@ std::string differingKey(const RowPart& one, const RowPart& other);
 /// whose records agree.
 std::vector<Message> wholeProblems(std::span<const RowPart> parts);
 
-/// Number of rows of all parts of a divided sweep or table, and size and checksum of the file in which they
-/// are joined.
+/// Number of rows in the CSV file that joins all parts of a divided sweep or table, and size and checksum of
+/// this file.
 struct WholeRows {
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;
     FileSum sum;
 };
 
-/// Returns the record of the file in which all parts of a divided sweep or table are joined. It is made from
-/// the record of any part, with the given command and numbers.
+/// Returns the record (YAML file) of the CSV file in which all parts of a divided sweep or table are joined.
+/// It repeats the record of any `part`, but with the command, row numbers and checksum of the joined file.
 std::string wholeRecord(const RowPart& part, std::string_view command, const WholeRows& whole);
 
 }  // namespace drillwave

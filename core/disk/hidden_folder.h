@@ -61,8 +61,8 @@ class HiddenFolder {
     /// moved. If this process dies before endExchange(), the next run repairs the folder that contains this
     /// hidden one. Returns an empty failure when done.
     WriteFailure beginExchange(const std::vector<std::string>& names);
-    /// Ends an exchange of files by removing the list of names that beginExchange() wrote. Requires that all
-    /// files were moved, or none.
+    /// Ends an exchange of files by removing the list of names that beginExchange() wrote. Without this list,
+    /// a later run sees nothing to repair. Requires that all files were moved, or none.
     void endExchange();
 
   private:

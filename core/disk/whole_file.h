@@ -37,9 +37,9 @@ class WholeFile {
     /// Opens the new file for writing. Either this or openKept() must be called first. Returns an empty
     /// failure when done.
     WriteFailure open();
-    /// Opens the existing file `kept`, or makes it, to become the new file in commit(). It must be on the
-    /// same disk. Its first `bytes` bytes remain, and later writes are appended. Without commit() `kept`
-    /// remains. Returns an empty failure when done.
+    /// Opens the file `kept`, or makes it, for writing; commit() then makes it the new file. The first
+    /// `bytes` bytes of it remain, and later writes are appended. It must be on the same disk. Without
+    /// commit(), `kept` remains, so that writing can continue later. Returns an empty failure when done.
     WriteFailure openKept(const std::string& kept, std::uint64_t bytes);
     WriteFailure write(std::string_view bytes);
     /// Waits until all bytes are on the disk, and then replaces the file. Returns an empty failure when done.

@@ -24,12 +24,12 @@ struct FolderFiles {
     /// Files in order. The last one is removed first and written last, so that a folder that has it is
     /// complete, even after a power failure.
     std::vector<NamedFile> files;
-    /// Function that returns the names of files in the given folder that belong to an earlier set. With
-    /// ExistingFiles::replaced these files are deleted or replaced. With ExistingFiles::kept any such file
-    /// makes writing fail. May be empty.
+    /// Function that returns the names of files that an earlier run wrote into the given folder, and which
+    /// would not fit the new ones. With ExistingFiles::replaced these files are deleted or replaced. With
+    /// ExistingFiles::kept any such file makes writing fail. May be empty.
     std::function<std::vector<std::string>(const std::string& folder)> outdated;
-    /// File that is too long to keep in memory. Its contents are already in the folder, in a file without a
-    /// name or with a temporary name. It gets its final name after all other files; nullptr if there is none.
+    /// File that is too long to keep in memory; nullptr if there is none. Its contents are already in the
+    /// folder, under a temporary name or none. Its final name is given after all other files are written.
     WholeFile* last = nullptr;
 
     std::vector<std::string> names() const;
@@ -67,8 +67,8 @@ FolderEnd writeWholeFolder(const std::string& folder, const FolderFiles& files, 
 Message folderProblem(const std::string& folder, const std::vector<std::string>& names,
                       ExistingFiles existing);
 
-/// Returns why the lock of a folder cannot be opened, in one line that begins with its path. Empty if it can
-/// be opened, or there is none.
+/// Returns the reason why this process cannot use the lock file of a folder, in one line that begins with its
+/// path. Empty if it can, if another run holds the lock, or if there is no lock file.
 Message lockProblem(const std::string& folder);
 
 /// Returns whether the path exists, including a symbolic link without a target.

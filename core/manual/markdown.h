@@ -26,10 +26,11 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 struct ManualBlock {
     enum class Kind { heading, paragraph, item, code, table };
     Kind kind = Kind::paragraph;
-    /// Level of a heading, from 1; for other blocks the number of blanks of its indentation.
+    /// Level of a heading, from 1. For other kinds of block it is the indentation, in blanks.
     int level = 0;
     std::string mark;  ///< mark of a list item, "-" or "3."
-    /// Text with its Markdown in one line; for code the lines unchanged; empty for a table.
+    /// Text of the block in one line, including the Markdown of bold, italics and links. For code, the
+    /// unchanged lines; for a table, empty.
     std::string text;
     /// Rows of a table, the header first, all with the same number of cells.
     std::vector<std::vector<std::string>> rows = {};

@@ -18,7 +18,8 @@ namespace drillwave {
 // Descriptions of the numbers of a scenario in the language of the reader, for the reference pages and the
 // command `help`.
 
-/// Description of one number of a scenario.
+/// Description of one parameter (numerical input) of a scenario, as the manual and the command `help` show
+/// it.
 struct ParameterFacts {
     std::string key;       ///< key, "bit_rock.gamma"; for a number of sections "string.NAME.length"
     std::string title;     ///< name of the parameter with its symbol, "elasticity γ"
@@ -27,7 +28,8 @@ struct ParameterFacts {
     std::string range;     ///< allowed range, "greater than 0", "in (0, 1]"
     std::string usual;     ///< typical range, "1 – 10000 MN/m"; other values raise a warning
     std::string presence;  ///< sentence, without its full stop, on whether a file may omit the parameter
-    /// Scenarios to which the number applies, as a sentence without its full stop; empty for all scenarios.
+    /// Condition on the scenario under which the parameter applies, as a sentence without its full stop.
+    /// Empty if it applies to all scenarios.
     std::string condition;
 };
 
@@ -41,10 +43,11 @@ std::vector<std::string> presetValues(const Parameter& parameter, const ReadingS
 /// Returns the chapter of the manual on all parameters, in Markdown, with one section for each parameter. The
 /// heading of a section begins with the key of its parameter.
 std::string parameterReference(const ReadingStyle& style);
-/// Returns the chapter on all outputs, in Markdown.
+/// Returns the chapter of the manual on all outputs, in Markdown.
 std::string outputReference(const ReadingStyle& style);
 
-/// Returns the section of the reference on this one parameter or output, in Markdown with its heading.
+/// Returns the section of the manual on one parameter or output, in Markdown with its heading, as the command
+/// `help` prints it.
 std::string referenceOf(const Parameter& parameter, const ReadingStyle& style);
 std::string referenceOf(const SectionField& field, const ReadingStyle& style);
 std::string referenceOf(const WordParameter& parameter, const ReadingStyle& style);

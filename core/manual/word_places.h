@@ -12,10 +12,10 @@
 
 namespace drillwave {
 
-/// Section of the manual that contains a word.
+/// Hit of a search in the manual: a section, or an entry of the glossary, that contains the searched words.
 struct WordPlace {
-    /// Part of the section in which the word was found, the best first. `wholeTitle` means that the title has
-    /// no other words.
+    /// Part of the section in which the word was found, from the best hit to the weakest: title, glossary
+    /// term, first cell of a table row, text. `wholeTitle` means that the title has no other words.
     enum class Rank { wholeTitle, title, term, row, text };
     Rank rank = Rank::text;
     std::string chapter;  ///< name of the chapter, "theory"

@@ -53,8 +53,8 @@ std::string_view name(AlertCode code);
 
 /// Named number in a warning or note.
 struct AlertArgument {
-    /// Name of the number: "cor" (coefficient of restitution) or a parameter key. The text must have static
-    /// storage duration.
+    /// Name of the number in the message: "cor" (coefficient of restitution) or a parameter key. The text
+    /// must have static storage duration.
     std::string_view name;
     double value = 0;  ///< value in SI
     Quantity quantity = Quantity::ratio;

@@ -6,10 +6,10 @@
 
 namespace drillwave {
 
-/// Returns whether the blow is solved exactly from one contact event to the next. This holds for a uniform
-/// rod under a prescribed force, which the dimensionless groups and the shape of the force describe
-/// (theory §4). The coefficient of restitution e then has an error bound, and curves can be traced instead of
-/// sampled. Drill strings are computed in time steps, with an estimated error of the efficiency.
+/// Returns whether the scenario has a uniform rod. Its blow is solved exactly from one contact event to the
+/// next, such as the bit touching the rock (theory §4). The coefficient of restitution e then has an error
+/// bound. Curves of results over a parameter can then consist of fitted smooth pieces instead of samples.
+/// Blows on drill strings are computed in time steps, with an estimated error of the efficiency.
 inline bool isFollowedByEvents(const Scenario& scenario) {
     return !isString(scenario);
 }
@@ -19,8 +19,8 @@ inline bool hasSections(const Scenario& scenario) {
     return !scenario.drillString.parts.empty();
 }
 
-/// Returns whether both scenarios have a list of sections, or neither has one. Only then can positions along
-/// them, and results given as multiples of their scales, be compared.
+/// Returns whether both scenarios have a list of sections, or neither has one. Otherwise positions along the
+/// rod or string, and results in units of the scales, cannot be compared.
 inline bool areOfOneKind(const Scenario& one, const Scenario& other) {
     return hasSections(one) == hasSections(other);
 }

@@ -11,15 +11,15 @@ namespace drillwave {
 struct ChainWords {
     const char* kind;         ///< name of the kind of scenario, "uniform rod"
     const char* assumptions;  ///< sentence on what the model neglects
-    /// Sentence that explains the references of shares of energy and momentum in tables: "W is the work of
-    /// the hammer."
+    /// Sentence that explains the symbols by which tables divide energies and momenta to get shares: "W is
+    /// the work of the hammer."
     const char* references;
     const char* errors;  ///< sentence on what the stated errors of results include and leave out
-    /// Label "pulse %1" with the shape of the force, shown after the dimensionless groups. Empty for a drill
-    /// string, which the groups do not describe completely.
+    /// Label "pulse %1" for the shape of the hammer force; it follows the values of the dimensionless groups.
+    /// Empty for a drill string, which the groups do not describe completely.
     const char* pulse = "";
-    /// Sentence with the coefficient of restitution e as %1; empty for a drill string, for which e is not a
-    /// main result.
+    /// Sentence with the coefficient of restitution e as %1: "The rod rebounds with e = %1." Empty for a
+    /// drill string, for which e is not a main result.
     const char* rebound = "";
     const char* stresses;  ///< title of the largest stresses
     /// Words for the default position of histories of force and velocity, "at the middle of the rod".

@@ -9,10 +9,12 @@
 
 namespace drillwave {
 
-/// Options of the command `drillwave design` as texts. The study checks them when it starts.
+/// Options of the command `drillwave design`, as the texts that the user enters. The study checks them when
+/// it starts.
 struct DesignSetup {
     std::vector<std::string> uncertain;  ///< inputs with their range of uncertainty, "bit_rock.gap=0mm:1mm"
-    /// Design variables with their values, "hammer=medium drifter,COP 1838", "rod.length=3m:4m:5".
+    /// Design variables, each with the values to be compared: "hammer=medium drifter,COP 1838",
+    /// "rod.length=3m:4m:5".
     std::vector<std::string> choose;
     std::vector<std::string> aims;    ///< objectives, "max:efficiency@q05"
     std::vector<std::string> atMost;  ///< upper limits on results, "thrust@q95=8kN"

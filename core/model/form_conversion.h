@@ -10,10 +10,11 @@
 
 namespace drillwave {
 
-/// Scenario after conversion to another form.
+/// Scenario after conversion to another form, for example from a uniform rod to a drill string.
 struct Conversion {
     Scenario scenario;
-    /// Sentences on features of the original that the converted scenario lacks or only approximates.
+    /// Sentences that describe what the converted scenario lacks or only approximates, compared with the
+    /// original one.
     std::vector<Message> lost;
 };
 
@@ -25,16 +26,16 @@ Section sectionOf(const Rod& rod, const Material& material);
 /// has no hammer. Empty if it can.
 Message whyNoString(const Scenario& scenario);
 
-/// Returns the rod as the only section of a drill string under the same force, of any shape. Requires a
-/// uniform rod with units.
+/// Returns the scenario as a drill string with the rod as its only section. The hammer force remains, of any
+/// shape. Requires a uniform rod in physical units.
 Scenario oneSectionOf(const Scenario& scenario);
 
-/// Returns the rod as a drill string of one section. A piston becomes a hammer whose motion is simulated. A
-/// rectangular force becomes a hammer of the same impulse, with the impedance Z of the rod and the length c
-/// t0/2. Other forces stay as they are. With a hammer, lengths are rounded by roundedLength(), and the hammer
-/// does not strike again after it has separated. Except for this rounding, a rectangular force gives the same
-/// results as for the uniform rod. So does a piston whose impedance is at most that of the rod (theory of
-/// strings, §10). Requires whyNoString() to be empty.
+/// Returns the uniform rod converted to a drill string of one section. A piston becomes a hammer whose motion
+/// is simulated. A rectangular force becomes a hammer of the same impulse, with the impedance Z of the rod
+/// and the length c t0/2. Other forces remain prescribed. With a hammer, lengths are rounded by
+/// roundedLength(), and the hammer does not strike again after it has separated. Apart from this rounding, a
+/// rectangular force gives the same results as the uniform rod. This also holds for a piston whose impedance
+/// is at most that of the rod (theory of strings, §10). Requires whyNoString() to be empty.
 Conversion stringOf(const Scenario& scenario);
 
 /// Returns the scenario of a drill string with its hammer replaced by a prescribed force. The force is that
@@ -46,9 +47,9 @@ Conversion forcedStringOf(const Scenario& scenario);
 /// strikes, otherwise the scenario unchanged.
 Scenario withForce(const Scenario& scenario);
 
-/// Returns a drill string converted to a uniform rod. Sizes and material are those of ruleSection(), the
-/// transit time is that of the whole string. A prescribed force remains. A hammer is replaced by the force of
-/// a uniform piston with its mass, velocity and transit time. Requires a drill string.
+/// Returns a drill string converted to a uniform rod with the transit time of the whole string. Its
+/// cross-section and material are those of ruleSection(). A prescribed force remains. A hammer is replaced by
+/// the force of a uniform piston with its mass, velocity and transit time. Requires a drill string.
 Conversion uniformRodOf(const Scenario& scenario);
 
 // Conversion of dimensionless groups to a rig with the same groups.
@@ -62,10 +63,10 @@ struct RigChoice {
     double duration = 200e-6;  ///< duration of the hammer force t0 [s]
 };
 
-/// Returns a scenario in physical units with the groups, shape of the force and loading curve of a
-/// dimensionless one. Uses L = τ c t0, I0 = F0 t0, k = β Z/t0 and d = 2 δ I0/Z. A piston gets the material of
-/// the rod. Points of a force table are copied into the scenario. Requires a dimensionless scenario and
-/// positive values.
+/// Returns a scenario in physical units that has the given dimensionless groups, shape of the force and
+/// loading curve. Its rod length is L = τ c t0, its impulse I0 = F0 t0, its stiffness k = β Z/t0 and its gap
+/// d = 2 δ I0/Z. A piston gets the material of the rod. Points of a force table are stored in the scenario
+/// instead of a file. Requires a dimensionless scenario and positive values.
 Scenario rigOf(const Scenario& groups, const RigChoice& choice);
 
 }  // namespace drillwave

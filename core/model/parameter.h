@@ -22,21 +22,22 @@ struct SectionAddress;
 // Parameters that are stored, as in axes of sweeps, columns of tables and edits. For immediate use a const
 // Parameter& is sufficient.
 
-/// Reference to a parameter that can be stored, or none. It may refer to a row of the table of parameters, to
-/// the repeat of a drill string, or to a number of a section. Parameters of sections are made when needed;
-/// the reference keeps them alive. Copies are cheap; two with the same key are equal.
+/// Reference to a parameter, or none, for storage in axes of studies and columns of tables. It may refer to a
+/// row of the table of parameters, to the repeat of a drill string, or to a number of a section. Parameters
+/// of sections are made when needed; the reference keeps them alive. Copies are cheap; two references to
+/// parameters with the same key are equal.
 class KeptParameter {
   public:
     KeptParameter() = default;
     KeptParameter(std::nullptr_t) {}
     /// Refers to an existing parameter, and keeps it alive if it belongs to a section.
     KeptParameter(const Parameter& parameter);
-    /// Stores a newly made parameter that is not in the table of parameters.
+    /// Takes shared ownership of a newly made parameter, one that is not in the table of parameters.
     explicit KeptParameter(std::shared_ptr<const Parameter> parameter);
 
     explicit operator bool() const { return m_parameter != nullptr; }
-    /// Returns the parameter. Requires that there is one. For a parameter of a section the reference is valid
-    /// only as long as this object or a copy.
+    /// Returns the parameter. Requires that there is one. A reference to a parameter of a section is valid
+    /// only while this object or a copy of it exists.
     const Parameter& operator*() const;
     const Parameter* operator->() const { return &**this; }
 
@@ -47,7 +48,7 @@ class KeptParameter {
     std::shared_ptr<const Parameter> m_parameter;
 };
 
-/// Range of a parameter in SI. An open end is excluded.
+/// Allowed or typical range of a parameter in SI. An end that is "open" does not itself belong to the range.
 struct Range {
     double low;
     double high;
@@ -55,7 +56,8 @@ struct Range {
     const char* whyNotMore = "";  ///< reason for the upper end, for messages; may be empty
     bool highOpen = false;
     bool contains(double value) const;
-    /// Returns the range as text such as "(0, 1]", in SI or in the given unit. Requires a finite upper end.
+    /// Returns the range as text such as "(0, 1]", in SI or in the given unit. An infinite upper limit is not
+    /// allowed.
     std::string ends() const;
     std::string ends(const Unit& unit) const;
     /// Returns why a value (SI, may be infinite or NaN) is outside the range: "must be in (0, 1]". The
@@ -101,7 +103,7 @@ enum class Scope {
     section,       ///< drill strings that have the section of this parameter (section_parameter.h)
     uniformRod,    ///< uniform rods, with units or dimensionless
     dimensional,   ///< uniform rods in physical quantities
-    /// Uniform rods in physical quantities, given by their diameters and not by their area.
+    /// Uniform rods in physical quantities, given by their diameters instead of their area.
     withoutArea,
     /// Scenarios with units whose hammer force is given by duration and impulse, not by a piston or table.
     givenPulse,
@@ -110,7 +112,7 @@ enum class Scope {
     pistonByRatio,  ///< dimensionless scenarios with a hammer force of the shape `piston`
 };
 
-/// Rule for a scenario file that does not give a parameter.
+/// Rule on whether a scenario file must give a parameter, and what applies if it does not.
 enum class Presence {
     required,
     either,    ///< exactly one of the parameter and its rival (`rules.rival`) is required
@@ -186,26 +188,28 @@ inline constexpr std::string_view restrikeKey = "hammer.restrike";
 /// Thread-safe.
 KeptParameter findParameter(std::string_view key);
 
-/// Returns whether the user gives this parameter in the scenario. If false, it does not apply or follows from
-/// others, as a group of a scenario with units. The impulse is not given if the mean force was entered.
+/// Returns whether the scenario gives this parameter or leaves it out as optional. Returns false if it does
+/// not apply or is computed from others, as a group of a scenario with units. The impulse is computed if the
+/// mean force was entered.
 bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
 /// Returns why `value` (SI, may be infinite or NaN) is outside the allowed range: "must be in (0, 1]"; empty
 /// if it is inside.
 Message rangeProblem(const Parameter& parameter, double value);
-/// Returns the unit in which messages show the ends of a range. It is the SI unit; for a share it is
-/// `customary`, usually %.
+/// Returns the unit in which error messages give the allowed range of a quantity. It is the SI unit; for a
+/// share it is `customary`, usually %.
 const Unit& unitOfRange(Quantity quantity, const Unit& customary);
 
-/// Returns why a parameter does not have the value `wanted` (SI) after it was set: "cannot be stored: …".
-/// Groups and mean forces are stored as other quantities, which may be at the limit of double precision.
-/// Empty if the values agree to 1e-12, and for parameters of sections. Requires applies().
+/// Returns why a parameter does not have the value `wanted` (SI) just after it was set: "cannot be stored:
+/// …". Reason: groups and mean forces are stored as other quantities, which may be at the limit of double
+/// precision. Empty if the values agree to 1e-12, and for parameters of sections. Requires applies().
 Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
 
 // Common table of all parameters. A new parameter is one more row.
 
-/// Returns all numeric parameters except those of sections, in the order of scenario files: physical ones
-/// first, the groups last.
+/// Returns the table of numeric parameters, in the order of scenario files: physical ones first, the
+/// dimensionless groups last. Parameters of sections and of corners of the loading curve are not in this
+/// table.
 std::span<const Parameter> parameters();
 
 }  // namespace drillwave

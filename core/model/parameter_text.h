@@ -29,7 +29,8 @@ struct WordParameter {
 };
 
 std::span<const WordParameter> wordParameters();
-/// Returns the word parameter with this key, such as "pulse.shape", or nullptr.
+/// Returns the parameter with this key whose value is a word, such as "pulse.shape"; nullptr if there is
+/// none.
 const WordParameter* findWordParameter(std::string_view key);
 
 /// Returns the truth value of `true` or `false`, in the spellings of YAML (true, True, TRUE); nullopt for
@@ -56,11 +57,11 @@ std::string nearestKey(std::string_view key);
 /// Returns the message on an unknown key: "`gama` is not a parameter; did you mean `gamma`?".
 Message notAParameter(std::string_view key);
 
-/// Sets the parameter `key` from text, for --set, table cells and sweep values. Accepts numbers with their
-/// unit (keys of findParameter()), words (keys of findWordParameter()), and `true` or `false` for
-/// "hammer.restrike". `unit` is the default unit, for example from a column header; nullptr for none. Returns
-/// an empty message when done, else the reason: "bit_rock.gamma = 1.3 (must be in (0, 1])". The scenario must
-/// not be used after a failure.
+/// Sets the parameter `key` from `text`, which comes for example from the option --set or a table cell.
+/// Accepts numbers with their unit (keys of findParameter()), words (keys of findWordParameter()), and `true`
+/// or `false` for "hammer.restrike". `unit` is the unit of a number without one, for example from a column
+/// header; nullptr if such numbers are refused. Returns an empty message when done, else the reason:
+/// "bit_rock.gamma = 1.3 (must be in (0, 1])". The scenario must not be used after a failure.
 Message assignText(Scenario& scenario, std::string_view key, std::string_view text,
                    const Unit* unit = nullptr);
 /// Sets a numeric parameter from text, such as "38 mm". `unit` is the unit of a number without one; nullptr

@@ -31,7 +31,7 @@ struct PresetValue {
     bool operator==(const PresetValue&) const = default;
 };
 
-/// Named set of values for a rod, hammer or rock. Using it changes only these values. A preset of a rock
+/// Named set of values for a rod, hammer or rock. Applying it changes only these values. A preset of a rock
 /// always sets the loading curve.
 struct Preset {
     PresetKind kind = PresetKind::rod;
@@ -46,8 +46,8 @@ struct Preset {
 };
 
 /// Returns the scenario with the values of a preset. A hammer of the shape `piston` gets the material of the
-/// rod unless the preset sets one. The result may be invalid: call validate(). Requires physical units, and a
-/// uniform rod for a preset of a rod or hammer.
+/// rod unless the preset sets one. The result may be invalid: call validate(). Requires a scenario in
+/// physical units. For a preset of a rod or hammer, it must be a uniform rod.
 Scenario withPreset(Scenario scenario, const Preset& preset);
 
 /// Returns whether the scenario already has all values of a preset; false if the preset cannot be used for
@@ -71,7 +71,8 @@ inline constexpr auto sectionPresetKinds = allValues<SectionPresetKind>;
 /// such presets in a file.
 std::string_view name(SectionPresetKind kind);
 
-/// Named sections of a drill string, such as a coupling, with a common source.
+/// Preset for sections of a drill string, such as a coupling: their name, sizes and the source of the
+/// numbers.
 struct SectionPreset {
     SectionPresetKind kind = SectionPresetKind::coupling;
     std::string name;
@@ -85,8 +86,8 @@ struct SectionPreset {
     bool operator==(const SectionPreset&) const = default;
 };
 
-/// Returns sizes and velocity with their source: "300 mm × 50 mm, 250 mm × 38 mm, 10 m/s — assumed".
-/// Strengths with a source of their own are in a second line.
+/// Returns a text with the sizes of the sections, the impact velocity and the source: "300 mm × 50 mm, 250 mm
+/// × 38 mm, 10 m/s — assumed". If the strengths have another source, a second line gives them.
 std::string description(const SectionPreset& preset, const ReadingStyle& style);
 
 /// Returns a hammer with its sections replaced by those of a piston, and its velocity too if the preset has
@@ -114,8 +115,8 @@ Message partProblem(PresetPart part, const Scenario& scenario);
 /// partProblem() is empty.
 bool suits(const PartPreset& preset, PresetPart part, const Scenario& scenario);
 
-/// Replaces a part of the scenario by a preset. Returns an empty message when done, else why it cannot be
-/// replaced. Requires suits().
+/// Replaces a part of the scenario, such as the hammer, by a preset. Returns an empty message when done, else
+/// why the part cannot be replaced. Requires that suits() is true.
 Message replacePart(Scenario& scenario, PresetPart part, const PartPreset& preset);
 
 /// Presets to choose from for one part of a scenario, such as the hammer; at least one. The list cannot be
@@ -131,7 +132,7 @@ class PresetChoice {
     /// Returns the names of the presets, in the order of presets().
     std::span<const std::string_view> words() const { return m_words; }
     /// Returns the keys of the parameters that any of the presets sets, each once. For presets of sections,
-    /// only the key of the impact velocity is listed.
+    /// only the key of the impact velocity is listed. Form and corners of a loading curve are left out.
     std::vector<std::string_view> keys() const;
 
   private:
@@ -140,8 +141,9 @@ class PresetChoice {
     std::vector<std::string_view> m_words;
 };
 
-/// Shared pointer to a list of presets, or none. Copies of a study's axis share the list. Two pointers are
-/// equal if their lists are for the same part and have equal presets.
+/// Shared pointer, possibly empty, to the presets over which an axis of a study varies. Copies of the axis
+/// share the list. Two pointers are equal if their lists are for the same part of a scenario and have equal
+/// presets.
 class SharedPresetChoice {
   public:
     SharedPresetChoice() = default;
@@ -162,9 +164,9 @@ struct FoundName {
     Message problem;
 };
 
-/// Returns the index of the preset with this name, ignoring capitals, or of the only one that begins with it.
-/// So `T51` finds "T51, round 52 mm". `list` is the command that lists all names, for the message if none is
-/// found.
+/// Returns the index of the preset with this name, ignoring capitals, or of the only preset whose name begins
+/// with it. So `T51` finds "T51, round 52 mm". `list` is the command that lists all names, for the message if
+/// none is found.
 FoundName findPresetName(std::span<const std::string_view> names, std::string_view wanted,
                          const std::string& list);
 

@@ -18,14 +18,14 @@ struct PresetPlace {
     bool operator==(const PresetPlace&) const = default;
 };
 
-/// Returns the values of a parameter with each preset that sets it, ascending. A preset also counts if it
-/// sets a parameter that determines this one, as the stiffness determines β. Presets with equal values are
-/// joined, with the names of the first two. Empty for a dimensionless scenario, which cannot use presets.
-/// Requires a parameter that applies to the scenario.
+/// Returns the values that a parameter has after applying each preset, ascending, for marks in a plot.
+/// Included are presets that set this parameter, or one that determines it: the stiffness determines β.
+/// Presets with equal values are joined into one item, with the names of the first two. Empty for a
+/// dimensionless scenario, which cannot use presets. Requires a parameter that applies to the scenario.
 std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Parameter& parameter,
                                       const Scenario& scenario);
 
-/// Preset as a point in a map over two parameters.
+/// Preset as a mark in a contour map over two parameters: its name and its values of both parameters.
 struct PresetPoint {
     Message name;
     double x = 0;  ///< value of the first parameter in SI
@@ -33,8 +33,8 @@ struct PresetPoint {
     bool operator==(const PresetPoint&) const = default;
 };
 
-/// Returns the presets that set both parameters `x` and `y`, with their values, for marks in a map over `x`
-/// and `y`.
+/// Returns the presets that set both parameters `x` and `y`, with their values. A contour map over `x` and
+/// `y` shows them as marks.
 std::vector<PresetPoint> presetPoints(std::span<const Preset> presets, const Parameter& x, const Parameter& y,
                                       const Scenario& scenario);
 

@@ -28,19 +28,20 @@ struct PulseSegment {
     /// Returns the impulse from the start of the segment to the time x (in t0) after it, as a share of I0, 0
     /// … 1.
     double impulseOf(double x) const;
-    /// Returns ∫Fa² from the time `from` to the time from + x, in units of F0² t0. Both times are in units of
-    /// t0 and count from the start of the segment.
+    /// Returns ∫Fa² of this segment from the time `from` to the time from + x, in units of F0² t0. Both times
+    /// are in units of t0 and count from the start of the segment.
     double energyOf(double from, double x) const;
     bool operator==(const PulseSegment&) const = default;
 };
 
-/// Hammer force Fa/F0 ≥ 0 over time. Its segments follow one another from time 0 without gaps, and its
-/// impulse is 1. It has no segments for the reference case of a rod that arrives with uniform velocity.
+/// Hammer force Fa/F0 ≥ 0 over time. Its segments follow one another from time 0 without gaps. The total
+/// impulse, in units of I0, is 1. The reference case of a rod that arrives with uniform velocity has no
+/// segments.
 struct PulseForce {
     PulseShape shape = PulseShape::rectangular;
     std::vector<PulseSegment> segments;
-    /// Time after which the force is zero, in units of t0. The part of an endless force after it, less than
-    /// 1e-20 of the impulse, is neglected.
+    /// Time after which the force is zero, in units of t0. An endless force is cut off there, which neglects
+    /// less than 1e-20 of its impulse.
     double end = 0;
     /// Largest force, in units of the mean force F0.
     double peak = 0;
@@ -53,15 +54,17 @@ struct PulseForce {
     /// Returns the force Fa(t)/F0 at a time t in units of t0. At a jump it is the value after the jump; 0
     /// before time 0 and after the end.
     double operator()(double t) const;
-    /// Returns the impulse of the force from time 0 to t (in units of t0), as a share of I0, 0 … 1.
+    /// Returns the impulse from time 0 to t (in units of t0), as a share of the total impulse I0 of the
+    /// hammer force.
     double impulseUntil(double t) const;
 };
 
-/// Largest number of steps of a piston force and of points of a table. validate() refuses more.
+/// Largest number of steps of the force of a piston, and of points of a force table. validate() reports an
+/// error if there are more.
 inline constexpr int maximumPulseSegments = 100000;
 
-/// Returns the number of steps of the force of a piston until less than 1e-20 of the impulse remains.
-/// Requires an impedance ratio q > 0.
+/// Returns the number of steps that the force of a piston needs to give all but 1e-20 of its impulse. The
+/// force is constant during a step, which lasts t0. Requires an impedance ratio q > 0.
 double pistonStepCount(double impedanceRatio);
 
 /// Returns the hammer force of a valid scenario. A piston gives steps of the duration t0 with F_n ∝ R^n
@@ -69,8 +72,8 @@ double pistonStepCount(double impedanceRatio);
 /// the hammer stops (q = 1) or rebounds.
 PulseForce pulseForceOf(const Scenario& scenario);
 
-/// Returns whether the parameter `key` changes the force F/F0 of a shape as a function of t/t0. If not,
-/// pulseForceOf() is the same for all values of the parameter.
+/// Returns whether the parameter `key` changes the dimensionless force F/F0 over t/t0 of this shape. If
+/// false, pulseForceOf() is the same for all values of the parameter and need not be called again.
 bool movesPulseForce(std::string_view key, PulseShape shape);
 
 /// Returns the force of a shape with default parameters, as in a dimensionless scenario. The shape must not
@@ -80,18 +83,19 @@ PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);
 // Visible part of a hammer force: an exponential force and the steps of a piston end with a long, almost
 // empty tail.
 
-/// Returns the times, in units of t0 and ascending from 0, at which the impulse of the hammer force is drawn.
-/// They are dense where it is curved. Returns only 0 without a hammer force.
+/// Returns the times, in units of t0 and ascending from 0, at which a plot shows the impulse of the hammer
+/// force. They are close together where the impulse over time is curved. Returns only 0 without a hammer
+/// force.
 std::vector<double> impulseTimes(const PulseForce& pulse);
 
-/// Returns the first of impulseTimes(), in units of t0, at which the rod has 97 % of the impulse. Plots of
-/// impulse and momentum reach at least to this time, as later changes cannot be seen. Returns 0 without a
-/// hammer force.
+/// Returns the time, in units of t0, up to which plots of impulse and momentum over time are needed. It is
+/// the first of impulseTimes() at which the force has given 97 % of its impulse. Returns 0 without a hammer
+/// force.
 double visibleImpulseEnd(const PulseForce& pulse);
 
-/// Returns the time, in units of t0, after which the waves that the force causes no longer change visibly. It
-/// is the end of the segment in which the impulse reaches 97 %. For an exponential force it is the time at
-/// which 97 % is reached. Returns 0 without a hammer force.
+/// Returns the time, in units of t0, after which a plot no longer shows changes of the waves caused by the
+/// hammer force. It is the end of the segment in which the impulse reaches 97 %. For an exponential force it
+/// is the time at which 97 % is reached. Returns 0 without a hammer force.
 double visibleWavesEnd(const PulseForce& pulse);
 
 /// Returns the time, in units of t0, from which the force is too small to be seen in a plot. Returns 0

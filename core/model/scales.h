@@ -9,8 +9,9 @@
 namespace drillwave {
 
 /// Scales that convert dimensionless results to SI: dimensionless number × scale = value in SI (paper,
-/// section 5.1; theory §2). They differ between a prescribed force and a simulated hammer. For a drill
-/// string, Z and A are those of one section (see ruleSection()), m and L those of the whole string.
+/// section 5.1; theory §2). They are defined differently for a prescribed force and for a simulated hammer.
+/// For a drill string, impedance Z and area A are those of one section (see ruleSection()). Mass m and length
+/// L are those of the whole string.
 struct Scales {
     /// Scale of time t0 [s]: the duration of the force, or twice the transit time of a simulated hammer.
     double time = 1;
@@ -19,9 +20,11 @@ struct Scales {
     double impulse = 1;
     double force = 1;   ///< scale of force: I0/t0 [N] under a force, Z v0/2 for a simulated hammer
     double stress = 1;  ///< scale of stress F0/A [Pa]
-    /// Scale of velocity: I0/m [m/s] under a force, the impact velocity of a simulated hammer.
+    /// Scale of velocity v0 [m/s]: I0/m under a prescribed force, with m the mass of rod or string; else the
+    /// impact velocity of the hammer.
     double velocity = 1;
-    /// Scale of particle velocity F0/Z [m/s], that of a wave of the force F0; for a uniform rod τ v0.
+    /// Scale of particle velocity [m/s]: F0/Z, the particle velocity in a wave of the force F0. For a uniform
+    /// rod it is τ v0.
     double particleVelocity = 1;
     /// Scale of penetration: 2 I0/Z [m] under a force (paper, eq. 3), v0 t0 for a simulated hammer.
     double penetration = 1;
@@ -33,7 +36,7 @@ struct Scales {
     bool operator==(const Scales&) const = default;
 };
 
-/// Properties derived from the dimensions and material of a rod or section, in SI.
+/// Properties derived from the dimensions and material of a rod or section, such as its impedance, in SI.
 struct RodProperties {
     double area = 0;         ///< cross-section A [m²]
     double waveSpeed = 0;    ///< wave speed c = √(E/ρ) [m/s]
@@ -43,8 +46,8 @@ struct RodProperties {
 };
 RodProperties propertiesOf(const Rod& rod);
 
-/// Returns the properties of a section of a hammer or drill string, in SI. The mass does not include the mass
-/// lumped at its far end.
+/// Returns the properties of a section of a hammer or drill string, in SI. The mass does not include the
+/// lumped mass at the end of the section towards the rock.
 RodProperties propertiesOf(const Section& section, const Material& material);
 
 /// Total length, transit time and mass of a hammer, or of a drill string with its repeats expanded.
@@ -70,24 +73,24 @@ double pulseDuration(const Scenario& scenario);
 /// it is its momentum at impact. The force of a piston and of a table is integrated.
 double pulseImpulse(const Scenario& scenario);
 
-/// Returns the mean force I0/t0 [N] of a pulse given by duration and impulse. If possible, its last digit is
-/// chosen so that force × duration is exactly the impulse. So a mean force that was entered reads back
+/// Returns the mean force I0/t0 [N] of a pulse given by duration and impulse. If possible, it is rounded so
+/// that force × duration is exactly the impulse. A mean force that the user entered then reads back
 /// unchanged.
 double meanForce(const Pulse& pulse);
 
-/// Returns the groups β = k t0/Z, γ, τ = T/t0 and δ = d/d0, with T the transit time of the whole rod or
-/// string. Here d0 = 2 I0/Z, or v0 t0 for a hammer of sections. Groups of a dimensionless scenario are
-/// returned unchanged.
+/// Returns the dimensionless groups β = k t0/Z, γ, τ = T/t0 and δ = d/d0. Here T is the transit time of the
+/// whole rod or string. The scale d0 is 2 I0/Z, or v0 t0 for a hammer of sections. Groups of a dimensionless
+/// scenario are returned unchanged.
 Groups groupsOf(const Scenario& scenario);
 
 /// Returns the scales of a scenario with units; all are 1, without meaning, for a dimensionless one. A drill
 /// string must have at least one section, and so must its hammer unless the force is prescribed.
 Scales scalesOf(const Scenario& scenario);
 
-/// Returns the period of the gap for a uniform rod: d0 [m], or 1 for a dimensionless scenario. It is the
-/// advance of the free rod in one round trip of its waves. For τ ≥ 1/2, a gap that is larger by this period
-/// delays the same blow by one round trip (theory §4). Returns nullopt for a drill string, which has no such
-/// period.
+/// Returns d0 [m] for a uniform rod (1 for a dimensionless scenario), the advance of the free rod in one
+/// round trip of its waves. For τ ≥ 1/2, a gap that is larger by d0 only delays the blow by one round trip
+/// (theory §4). Results as functions of the gap then have this period. Returns nullopt for a drill string,
+/// whose results have no such period.
 std::optional<double> gapPeriod(const Scenario& scenario);
 
 // Round trips of waves in the rod between two blows.
@@ -96,8 +99,8 @@ std::optional<double> gapPeriod(const Scenario& scenario);
 /// nullopt without units or without a blow frequency f.
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario);
 
-/// Returns the whole number n = 1 … 5 from which `roundTrips` differs by at most 0.1; nullopt if there is
-/// none. `roundTrips` is the number n_b of round trips of a wave between two blows. If it is nearly whole,
+/// Returns the whole number n = 1 … 5 that differs from n_b = `roundTrips` by at most 0.1; nullopt if there
+/// is none. Here n_b is the number of round trips of a wave between two blows. If it is nearly whole,
 /// residual waves of the last blow coincide with the waves of the new one (theory §10).
 std::optional<int> stepOfWaves(double roundTrips);
 

@@ -96,15 +96,15 @@ struct Rod {
     bool operator==(const Rod&) const = default;
 };
 
-/// Uniform elastic hammer of the pulse shape `piston`, in SI. A dimensionless scenario uses only
-/// `impedanceRatio`.
+/// Uniform elastic hammer that strikes the rod if the shape of the force is `piston`, in SI units. A
+/// dimensionless scenario uses only `impedanceRatio`.
 struct Piston {
     double length = 0.5;                  ///< length of the hammer [m]
     double diameter = 0.038;              ///< diameter of the hammer [m]
     double velocity = 10;                 ///< impact velocity [m/s]
     std::optional<double> youngsModulus;  ///< Young's modulus [Pa] (default: that of the rod)
     std::optional<double> density;        ///< density [kg/m³] (default: that of the rod)
-    /// q = hammer impedance/rod impedance, > 0; only for dimensionless scenarios.
+    /// Impedance of the hammer divided by that of the rod, q > 0; only for dimensionless scenarios.
     double impedanceRatio = 1;
     bool operator==(const Piston&) const = default;
 };
@@ -146,7 +146,7 @@ std::span<const std::string_view> rockLawNames();
 struct RockCorner {
     /// Force at the corner [N]; in a dimensionless scenario in units of F0.
     double force = std::numeric_limits<double>::quiet_NaN();
-    /// Slope above the corner as a multiple of the stiffness k, > 0.
+    /// Slope of the loading curve above this corner as a multiple of the stiffness k, > 0.
     double slope = std::numeric_limits<double>::quiet_NaN();
     bool operator==(const RockCorner& other) const {
         const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
@@ -154,17 +154,19 @@ struct RockCorner {
     }
 };
 
-/// Bit–rock law: a loading curve, and unloading and reloading with the slope k/γ below the largest force so
-/// far.
+/// Bit–rock law, force over penetration. Loading follows the loading curve. Below the largest force so far,
+/// unloading and reloading follow a straight line of slope k/γ.
 struct BitRock {
-    /// Stiffness k of loading [N/m]: slope of the first line; for `power` the secant at U1.
+    /// Stiffness k of loading [N/m]: slope of the first straight line of the loading curve. For the law
+    /// `power` it is the slope of the secant from 0 to U1.
     double stiffness = 105e6;
     double gamma = 0.1;  ///< elasticity γ = loading/unloading stiffness, 0 < γ ≤ 1
     double gap = 0;      ///< initial gap d between bit and rock [m], ≥ 0
     RockLaw law = RockLaw::bilinear;
     std::vector<RockCorner> corners;  ///< corners of the law `corners`, with increasing forces
     double exponent = 1;              ///< exponent p of the law `power`, F ∝ U^p; 0.3 … 3
-    /// Penetration U1 at which `power` has the stiffness k [m]; in a dimensionless scenario in units of d0.
+    /// Penetration U1 [m] of the law `power`, at which the force is k U1; in a dimensionless scenario in
+    /// units of d0.
     double referencePenetration = 1e-3;
     bool operator==(const BitRock&) const = default;
 };
@@ -195,7 +197,7 @@ struct Drill {
     RockIndexing indexing = RockIndexing::fresh;
     std::optional<double> waveLoss;  ///< share η that waves lose per round trip in the rod, 0 ≤ η < 1
     std::optional<double> blows;     ///< number N of simulated blows, a whole number
-    /// Number of transient blows, the first ones, which statistics exclude; a whole number.
+    /// Number of transient blows, at the start of the simulation, that statistics exclude; a whole number.
     std::optional<double> settle;
     /// Standard deviation of the interval between blows (normal distribution), as a multiple of 1/f.
     std::optional<double> intervalScatter;
@@ -212,7 +214,7 @@ struct Groups {
     bool operator==(const Groups&) const = default;
 };
 
-/// Form in which a scenario is given.
+/// Form of a scenario: uniform rod with or without units, or drill string.
 enum class ScenarioForm {
     dimensional,    ///< uniform rod under a prescribed hammer force, in physical quantities
     dimensionless,  ///< uniform rod, given by its dimensionless groups
@@ -227,7 +229,8 @@ struct Scenario {
     Groups groups;  ///< groups of a dimensionless scenario; for other forms use groupsOf()
     Rod rod;        ///< uniform rod; used only by the form `dimensional`
     Pulse pulse;    ///< hammer force; used if isForced()
-    /// Gap and bit–rock law; a dimensionless scenario uses only the shape of its loading curve.
+    /// Gap between bit and rock, and the bit–rock law. A dimensionless scenario uses only the shape of the
+    /// loading curve.
     BitRock bitRock;
     Drill drill;              ///< operating data of the rock drill; not used by dimensionless scenarios
     DrillString drillString;  ///< hammer and string; used only by the form `string`

@@ -42,14 +42,16 @@ struct SectionField {
     }
 };
 
-/// Returns the numbers of a section, in the order of a file.
+/// Returns descriptions of all numbers that a section may have, such as its length, in the order of a
+/// scenario file.
 std::span<const SectionField> sectionFields();
 
 /// Returns the description of the number of a section with this key, such as "length", or nullptr.
 const SectionField* findSectionField(std::string_view key);
 
-/// Returns whether setting one number of a section undoes the other: for equal numbers, and for an area and a
-/// diameter or bore. The same holds for the sizes at the other end of a cone.
+/// Returns whether setting one of two numbers of a section undoes the other. This holds for a number and
+/// itself, and for an area and a diameter or bore. For the end of a cone towards the rock it holds for its
+/// area and diameter.
 bool areRivals(const SectionField& a, const SectionField& b);
 
 /// Returns why `value` (SI) is outside the allowed range: "must be greater than 0"; empty if it is inside.
@@ -80,13 +82,14 @@ struct SectionAddress {
     bool hasSameSections(const SectionAddress& other) const;
 };
 
-/// Returns the address that a key such as "string.3.length" describes, even if there is no such section;
-/// nullopt for any other key.
+/// Returns which section and which of its numbers a key such as "string.3.length" means, even if there is no
+/// such section. Returns nullopt for any other key.
 std::optional<SectionAddress> findSectionAddress(std::string_view key);
 
 /// Returns the key of the section at a position: "string.3".
 std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place);
-/// Returns the key of a number of the section at a position: "string.3.length".
+/// Returns the key of a number of a section, "string.3.length". `place` is the position of the section, here
+/// 3, counted from 1; `field` is the last part.
 std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place, std::string_view field);
 
 /// Calls `visit(section, index)` for every section that the address refers to. The index counts the sections
@@ -114,7 +117,7 @@ void visitNumberedSections(const SectionAddress& address, String& drillString, c
         before = visitList(part.sections, before, static_cast<std::uint64_t>(std::max(part.repeat, 0)));
 }
 
-/// Calls `visit(section)` for every section that the address refers to.
+/// Calls `visit(section)` for each section to which the address refers. A name may refer to several sections.
 template <class String, class Visit>
 void visitSections(const SectionAddress& address, String& drillString, const Visit& visit) {
     visitNumberedSections(address, drillString, [&](auto& section, std::size_t) { visit(section); });

@@ -12,22 +12,23 @@
 
 namespace drillwave {
 
-/// Returns the parameter with a key such as "string.3.length" for a number of a section, or "string.repeat"
-/// for the number of repeats. Empty for any other key. Thread-safe.
+/// Returns the parameter with a key such as "string.3.length" (a number of a section) or "string.repeat" (the
+/// number of repeats). Returns none for any other key. Thread-safe.
 KeptParameter findSectionParameter(std::string_view key);
 
-/// Returns whether the scenario has the section with the number, or the repeat, that this parameter sets.
-/// Requires a parameter of the scope `section`.
+/// Returns whether the parameter can be set in the scenario. For a number of a section, a matching section
+/// must exist and may have this number. For "string.repeat", there must be a repeat. Requires a parameter of
+/// the scope `section`.
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns whether two parameters of sections may contradict each other, depending on the scenario.
-/// "string.rod.length" and "string.3.length" do if the third section is called rod. The same holds for two
-/// numbers of sections that may be copies in one repeat.
+/// Returns whether two parameters may set the same number of the same section, depending on the scenario.
+/// "string.rod.length" and "string.3.length" do if the third section is called rod. Two section numbers may
+/// also be copies of one section in a repeat.
 bool mayMeet(const Parameter& one, const Parameter& other);
 
-/// Returns why two parameters of sections cannot both be set, as words that follow their keys in a message:
-/// "set one section: …". Empty if they can. Sections of `one` are those of the scenario `ofOne`, sections of
-/// `other` those of `ofOther`. The two scenarios may differ only in the number of repeats.
+/// Returns why the parameters `one` and `other` cannot both be set because they set the same section: "set
+/// one section: …". The text follows the two keys in a message; empty if there is no conflict. `one` is set
+/// in the scenario `ofOne`, `other` in `ofOther`. The two scenarios may differ only in the number of repeats.
 Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
                        const Scenario& ofOther);
 
@@ -35,8 +36,8 @@ Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parame
 /// did you mean …?".
 Message whyNoSection(const Parameter& parameter, const Scenario& scenario);
 
-/// Returns every number that the sections have as a parameter, in the order of a file: hammer, number of
-/// repeats, string.
+/// Returns one parameter for each number that is given in the sections, in the order of a scenario file. If
+/// there is a repeat, "string.repeat" is between those of the hammer and those of the string.
 std::vector<KeptParameter> sectionParameters(const Scenario& scenario);
 
 /// Returns the name of the section that a parameter belongs to. Empty if the parameter belongs to no section,
@@ -45,9 +46,10 @@ std::string sectionName(const Parameter& parameter, const Scenario& scenario);
 
 // Numbers of sections that are worth varying, for a list to choose from.
 
-/// Returns every number of the sections that changes the results of a drill string, in the order of a file.
-/// The key contains the name of the section, "string.coupling.diameter", if all sections of that name have
-/// the same value, else its number. "string.repeat" is between hammer and string. Empty for a uniform rod.
+/// Returns every number of the sections that changes the results of a drill string, in the order of a
+/// scenario file. If all sections of one name have the same value, they share one key with this name:
+/// "string.coupling.diameter". Otherwise each section has a key with its number. "string.repeat" is between
+/// hammer and string. Empty for a uniform rod.
 std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario);
 
 /// Returns the size that a study of a drill string proposes to vary: the diameter, or area, of its couplings.

@@ -13,7 +13,7 @@
 namespace drillwave {
 
 /// Position of a section in the lists of a scenario file: in the hammer, in the string, or in a repeat of the
-/// string. A repeat is one part of the string, however often it is repeated.
+/// string. A repeat counts as one part of the string, however often its sections are repeated.
 struct SectionSpot {
     bool inHammer = false;
     std::size_t part = 0;   ///< index of the part of the string, a section or a repeat; 0 in the hammer
@@ -29,16 +29,18 @@ std::vector<SectionSpot> sectionSpots(const DrillString& drillString);
 const Section& sectionAt(const DrillString& drillString, const SectionSpot& spot);
 Section& sectionAt(DrillString& drillString, const SectionSpot& spot);
 
-/// Returns the number of the section that keys such as "string.3.length" use. It counts sections from 1 in
-/// the hammer or string, with repeats expanded. A section in a repeat has the number of its first copy.
+/// Returns the number of the section at `spot` in keys such as "string.3.length", here 3. It counts sections
+/// from 1 in the hammer or string, with repeats expanded. A section in a repeat has the number of its first
+/// copy.
 std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
 
 /// Inserts a section after the section at `spot`, and inside the same repeat if that section is in a repeat.
 /// Returns the position of the new section.
 SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Section section);
 
-/// Inserts at least one section after the section at `spot`. If that is the last section of a repeat, they
-/// are inserted outside the repeat, so that they are not repeated. Returns the position of the last one.
+/// Inserts `sections`, at least one, after the section at `spot`. If that section is the last one of a
+/// repeat, they are inserted after the repeat, not into it. Returns the position of the last inserted
+/// section.
 SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
                          const std::vector<Section>& sections);
 
@@ -56,15 +58,16 @@ enum class StringEnd { shank, bit };
 /// inserted section.
 SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections);
 
-/// Returns whether the section may be removed. The last section of the hammer, or of the string, must stay.
+/// Returns whether the section may be removed: the hammer, or the string, must have at least one section
+/// left.
 bool canRemove(const DrillString& drillString, const SectionSpot& spot);
 /// Removes a section, and also its repeat if the repeat has no other section. Requires canRemove().
 void removeSection(DrillString& drillString, const SectionSpot& spot);
 
 enum class MoveTo { rear, bit };
-/// Moves a section one step: past its neighbour, into a neighbouring repeat, or out of its own repeat. The
-/// only section of a repeat moves together with the repeat. Returns its new position. Returns nullopt and
-/// changes nothing at the end of the hammer or string.
+/// Moves a section one step towards the rear or the bit: past its neighbour, into a neighbouring repeat, or
+/// out of its own repeat. The only section of a repeat moves together with the repeat. Returns the new
+/// position. If the section cannot move further, returns nullopt and changes nothing.
 std::optional<SectionSpot> moveSection(DrillString& drillString, const SectionSpot& spot, MoveTo direction);
 
 /// Returns whether repeatSections() can make these sections a repeat. They must be neighbours in the string,

@@ -15,7 +15,8 @@ inline constexpr Range area{1e-12, 1e6};     // cross-section of a section [m²]
 inline constexpr Range modulus{1e3, 1e15};   // Young's modulus [Pa]
 inline constexpr Range density{1e-3, 1e6};   // density [kg/m³]
 inline constexpr Range mass{0, 1e9};         // mass lumped at the end of a section [kg]
-/// Allowed range of the share of the energy of a wave that is lost in a joint, from 0 to below 1.
+/// Allowed range of a wave loss: the share of the energy of a wave that is lost in a joint, from 0 to below
+/// 1.
 inline constexpr Range share{0, 1, false, translatable("a section that loses everything carries no wave"),
                              true};
 inline constexpr Range attenuation{0, 1e6};    // decay of the amplitude of a wave per length [1/m]

@@ -34,17 +34,19 @@ InputProblem valueProblem(std::string_view key, std::string_view value, const Me
 
 /// Returns all errors of a scenario, those of physical parameters first; empty if it can be solved. Errors
 /// are values outside their allowed range, and contradictions such as bore ≥ diameter or rise + fall > 1.
-/// Groups that are infinite, NaN or zero after conversion are errors too.
+/// Dimensionless groups that become infinite, NaN or zero when computed from the other parameters are errors
+/// too.
 std::vector<InputProblem> validate(const Scenario& scenario);
 
 /// Returns all errors of a scenario as one message, "; " between them; empty if it is valid.
 Message invalidity(const Scenario& scenario);
 
-/// First reason why points of time and force cannot be a hammer force, and the index of that point, from 0.
+/// First error in a list of points (time, force) that is to be a hammer force, and the index of the wrong
+/// point, from 0.
 struct PointProblem {
     std::size_t index = 0;
-    /// Reason why the points are refused, "point 3 must be later than the one before it"; empty if they are
-    /// valid.
+    /// Reason why the points are no valid hammer force, "point 3 must be later than the one before it"; empty
+    /// if they are valid.
     Message reason;
 };
 /// Returns the first error of the points of a tabulated hammer force; `reason` is empty if there is none.
@@ -52,12 +54,13 @@ PointProblem pointProblem(const TablePoints& points);
 
 // Errors in the sections of a hammer and a drill string.
 
-/// Returns all errors of the sections of hammer and string, with keys by position ("string.3.bore"). Errors
-/// are no sections or too many, numbers outside their range, and a bore as wide as the section. Names that
-/// look like positions, and derived values that overflow, are errors too.
+/// Returns all errors of the sections of hammer and string, with keys by position ("string.3.bore"). Such
+/// errors are no sections or too many, a number outside its range, or a bore as wide as the section. Names
+/// that could be read as a position, and derived values that overflow, are errors too.
 std::vector<InputProblem> sectionProblems(const DrillString& drillString);
 
-/// Returns the message that a string or hammer with `count` sections has more than maximumSections.
+/// Returns the error message for a hammer or string with `count` sections, which is more than
+/// maximumSections.
 Message tooManySections(std::uint64_t count);
 
 }  // namespace drillwave

@@ -21,9 +21,9 @@ std::string csvCell(std::string_view text);
 /// countries.
 enum class CsvSigns { pointAndComma, commaAndSemicolon };
 
-/// Converter of CSV to another separator and decimal sign, block by block. Only separators and numbers
-/// change; a cell with a semicolon is put in quotes if that is the separator. Lines that begin with '#'
-/// before the header are copied.
+/// Converter of CSV text to another separator and decimal sign, block by block. Only separators and numbers
+/// change. If the new separator is a semicolon, cells that contain one are put in quotes. Lines that begin
+/// with '#' before the header are copied.
 class CsvInSigns {
   public:
     explicit CsvInSigns(CsvSigns signs) : m_signs(signs) {}

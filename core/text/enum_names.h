@@ -53,8 +53,8 @@ class EnumNames {
         std::string_view name;
     };
 
-    /// Makes the table from one row per value. The rows must be in the order of the values and complete;
-    /// otherwise the code does not compile.
+    /// Makes the table from one pair of value and name for each value of the enumeration. The pairs must be
+    /// in the order of the values and complete; otherwise the code does not compile.
     template <std::size_t count>
     consteval EnumNames(const Row (&rows)[count]) {
         static_assert(count == valueCount<Enum>, "every value of an enumeration has one name");

@@ -29,8 +29,8 @@ std::string rounded(double value, int digits = 6);
 /// Direction of rounding.
 enum class Rounding { nearest, up, down };
 
-/// Returns a number rounded up or down to this many significant digits, but unchanged for `nearest`. Rounding
-/// noise of 1e-12 is ignored: 0.3 remains 0.3.
+/// Returns a number rounded up or down to this many significant digits. For `nearest` the number is returned
+/// unchanged. Rounding noise of 1e-12 is ignored: 0.3 remains 0.3.
 double roundedTo(double value, int digits, Rounding rounding);
 
 /// Unit in which a value is shown, and the name of the unit on the screen or page.
@@ -58,11 +58,11 @@ class ReadingStyle {
     /// Returns the most readable unit for a penetration rate given in m/s; by default m/min, as is usual in
     /// drilling.
     virtual ReadUnit rateUnit(double si) const;
-    /// Returns whether texts are for a window or a page. Such texts have typographic signs (−, µ, ≥) and
-    /// refer to pages of the window instead of commands.
+    /// Returns whether texts are for a window or a printed page; false for a terminal. Texts for windows and
+    /// pages have typographic signs (−, µ, ≥) and refer to pages of the program window instead of commands.
     virtual bool isPrinted() const { return false; }
-    /// Returns whether tables show an input as the scenario file gives it, with the unit of the file. If
-    /// false, tables show inputs in the units of unitFor().
+    /// Returns whether tables show an input exactly as it is in the scenario file, with the unit used there.
+    /// If false, tables show inputs in the units of unitFor().
     virtual bool keepsUnitsOfFile() const { return true; }
     /// Returns the title of a table column that shows values with their units: "in SI".
     virtual Message unitsTitle() const { return translatable("in SI"); }

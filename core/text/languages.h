@@ -46,8 +46,8 @@ const std::map<std::string, std::string, std::less<>>& textsOf(const Language& l
 
 // Format of the commands' output in each language.
 
-/// Returns the format of output in a language: translated sentences, its decimal sign, SI units. For English
-/// it is plainStyle(). Not thread-safe.
+/// Returns the format of texts in a language: translated sentences, the decimal sign of the language, SI
+/// units. For English it is plainStyle(). Not thread-safe.
 const ReadingStyle& styleOf(const Language& language);
 
 }  // namespace drillwave

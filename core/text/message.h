@@ -26,8 +26,8 @@ struct Message {
         : pattern(english), arguments(std::move(places)) {}
     /// Makes a message that is a name or a number, the same in every language.
     Message(std::string words) : pattern(std::move(words)), isWords(true) {}
-    /// Returns a message whose text is translated, although it is not a literal of this call. Its text must
-    /// be marked by translatable() elsewhere, as the words in tables of the core are.
+    /// Returns a message for a word from a table in the code, such as the label of a parameter. The word is
+    /// translated like a sentence. The table must mark it by translatable().
     static Message ofTable(std::string_view word) { return std::string(word).c_str(); }
 
     bool operator==(const Message&) const = default;

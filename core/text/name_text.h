@@ -24,8 +24,8 @@ inline std::string lowerCase(std::string text) {
 /// allowed. Control characters and characters that change the reading direction are not allowed.
 Message lineProblem(std::string_view text);
 
-/// Returns why a text is not allowed as a name or as the source of a value; empty if it is allowed. It must
-/// pass lineProblem() and have a letter.
+/// Returns why a text is not allowed as a name, or as the reference from which a value was taken. Empty if it
+/// is allowed. It must pass lineProblem() and have a letter.
 Message nameProblem(std::string_view text);
 
 /// Returns the text with everything unprintable escaped, as "\xE9" or "\u202E", for messages. This concerns

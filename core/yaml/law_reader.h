@@ -11,8 +11,8 @@ namespace drillwave {
 /// Keys of the section `bit_rock` whose values are not numbers.
 inline constexpr std::string_view lawKey = "law", cornersKey = "corners";
 
-/// Reads the form of the loading curve into the scenario; without the key it stays bilinear. Returns false
-/// and reports an error if the value is no known form.
+/// Reads the key `law`, the form of the loading curve, into the scenario of `reader`. Without this key the
+/// curve is bilinear. Returns false and reports an error if the value is no known form.
 bool readLaw(SectionReader& reader, const YamlEntries& entries);
 
 /// Reads the corners of a loading curve into the scenario. Reports as errors: corners in a curve of another

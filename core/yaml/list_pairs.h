@@ -15,10 +15,10 @@ struct Likeness {
     bool isEqual = false;
 };
 
-/// Pairs the items of a list before and after an edit, so that items that remain keep their comments.
-/// Returns, for each of the `before` old items, the index of its new item, ascending; nullopt for a removed
-/// item. Equal items at both ends are paired first. Between them the pairs share as many values as possible;
-/// if there are too many items to compare, they are paired in order.
+/// Pairs the items of a list before and after an edit, so that unchanged items keep their comments in the
+/// file. Returns the index of the new item for each old item, ascending; nullopt for a removed item. Equal
+/// items at the start and at the end of the lists are paired first. The other pairs are chosen to have as
+/// many values in common as possible. If there are too many items to compare, they are paired in order.
 std::vector<std::optional<std::size_t>> listPairs(
     std::size_t before, std::size_t after,
     const std::function<Likeness(std::size_t before, std::size_t after)>& likeness);

@@ -24,7 +24,7 @@ inline constexpr std::size_t maximumPresetBytes = std::size_t{1} << 20;
 /// First key of a preset file.
 inline constexpr std::string_view presetKey = "drillwave_presets:";
 
-/// Contents of a preset file, in the order of the file.
+/// Presets of a preset file, in the order of the file.
 struct PresetFile {
     std::vector<Preset> presets;                ///< presets of rods, hammers and rocks
     std::vector<SectionPreset> sectionPresets;  ///< presets of sections of drill strings
@@ -48,10 +48,11 @@ std::span<const SectionPreset> builtInSectionPresets();
 /// does not set.
 std::string presetSource(const Preset& preset, const SavedValue& saved);
 
-/// Returns the text of a scenario file, see writeScenario(), with the source of each value of the preset as a
-/// comment after it. Existing comments remain. Values in braces get none, as it would apply to all of them.
-/// If the text would be larger than 1 MiB, no comments are added. Throws ScenarioError if it is too large
-/// without them. Requires a scenario to which the preset was just applied.
+/// Returns the text of a scenario file as writeScenario() does. A comment after each value that the preset
+/// sets gives its source. Existing comments remain. Maps in braces get no such comment, as it would apply to
+/// all of their values. If the comments would make the text larger than 1 MiB, none are added. Throws
+/// ScenarioError if the text is larger even without them. Requires a scenario to which the preset was just
+/// applied.
 std::string writeWithPreset(const ScenarioDocument& document, const Preset& preset);
 
 }  // namespace drillwave

@@ -26,11 +26,12 @@ class PresetList {
     /// Calls `read` for every item of the list that is a map, and reports an error for any other item. An
     /// absent list counts as empty.
     void readItems(const YamlNode& list, const std::function<void(const YamlNode&)>& read);
-    /// Returns the text of a required key of an item. Reports a missing or invalid text, and returns an empty
-    /// one then.
+    /// Returns the text of a required key of a preset. If the text is missing or invalid, reports an error
+    /// and returns an empty text.
     std::string textOf(const YamlEntries& entries, const YamlNode& item, std::string_view key,
                        const char* missing = translatable("is missing"));
-    /// Returns the name of an item. Reports a missing name, or one that an earlier item already has.
+    /// Returns the name of `item`, a preset in the list. Reports an error if the name is missing or an
+    /// earlier preset has it.
     std::string nameOf(const YamlEntries& entries, const YamlNode& item);
 
   private:

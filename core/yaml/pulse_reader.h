@@ -12,16 +12,17 @@
 
 namespace drillwave {
 
-/// Source of the points of a table file. If `points` is given, these points are used and the file is not
-/// opened. Otherwise the file is read; its path is relative to that of the scenario file `source`.
+/// Source of the points of a tabulated hammer force. If `points` is given, these points are used and the
+/// table file is not opened. Otherwise the file is read. Its path is relative to that of the scenario file
+/// `source`.
 struct TableSource {
     const std::string& source;
     const TablePoints* points = nullptr;
 };
 
-/// Reads the section `pulse` into the scenario of the reader, whose form is already known. Returns true if a
-/// table file cannot be read. If that is the only error, the scenario counts as unreadable, which has another
-/// exit code than invalid.
+/// Reads the section `pulse` of a file into the scenario of `reader`, whose member `form` must already be
+/// set. Returns true if a table file cannot be read, else false. The caller needs this because a file that
+/// cannot be read has another exit code than an invalid scenario.
 bool readPulse(SectionReader& reader, const YamlEntries& file, const TableSource& tables);
 
 // Table file of a tabulated hammer force: time and force, with their units in the header.

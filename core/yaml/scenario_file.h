@@ -27,7 +27,7 @@ class ScenarioError : public std::runtime_error {
 
     Kind kind() const { return m_kind; }
     const std::vector<InputProblem>& problems() const { return m_problems; }
-    /// Returns a message for each error, with its position: "file:line:column: text".
+    /// Returns a translatable message for each error, with its position: "file:line:column: text".
     std::vector<Message> messages() const;
     /// Returns a message in English for each error, with its position: "file:line:column: text".
     std::vector<std::string> lines() const;
@@ -49,8 +49,8 @@ struct ScenarioDocument {
     std::vector<Message> recordRemarks = {};
 };
 
-/// Reads a scenario file of at most 1 MiB. A table file is searched relative to it. Throws ScenarioError with
-/// all errors.
+/// Reads a scenario file of at most 1 MiB. The path of a table file in it is relative to the folder of the
+/// scenario file. Throws ScenarioError with all errors.
 ScenarioDocument loadScenario(const std::string& path);
 
 /// Reads a scenario from text; `source` names it in messages. Throws ScenarioError with all errors.
@@ -65,8 +65,8 @@ std::string writeScenario(const ScenarioDocument& document);
 
 // Comment lines at the top of a scenario in a result: which program wrote it, and how it was solved.
 
-/// Beginnings of the comment lines that a result has above its scenario, in this order. All but the first may
-/// be absent.
+/// Beginnings of the comment lines that the program writes above the scenario in a result file, in this
+/// order. Only the first line is always present.
 inline constexpr std::string_view writtenRemark = "# Written by Drillwave ";
 inline constexpr std::string_view solvedRemark = "# Solved by method ";
 inline constexpr std::string_view columnsRemark = "# Columns: ";

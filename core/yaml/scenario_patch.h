@@ -11,10 +11,10 @@
 
 namespace drillwave {
 
-/// Returns the text of a scenario file, edited to have the values of another scenario and design. Changed
-/// values keep the unit of the file but lose the comment after them. New values get new lines; absent ones
-/// are removed; a changed list of points or corners is replaced. Returns nullopt if such edits are not
-/// enough, as for another form of the scenario or values over several lines. The caller must check that the
+/// Returns the text of a scenario file after edits that give it the values of `scenario` and `design`.
+/// Changed values keep their unit in the file but lose the comment after them. New values get new lines;
+/// absent ones are removed; a changed list of points or corners is replaced. Returns nullopt if such edits
+/// are not enough, for example for another form of the scenario. The caller must check that reading the
 /// result gives the scenario.
 std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario,
                                        const DesignSetup& design);

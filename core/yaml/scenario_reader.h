@@ -32,8 +32,9 @@ struct ReadScenario {
     bool unreadable = false;  ///< whether the text, or a file that it names, cannot be read
 };
 
-/// Reads and validates a scenario. `source` names the text in messages; a table file is searched relative to
-/// it. If `tablePoints` is given, it replaces the contents of the table file, which is not opened then.
+/// Reads and validates a scenario. `source` is the name of the text in messages. The path of a table file is
+/// relative to that of `source`. If `tablePoints` is given, these points are used and the table file is not
+/// opened.
 ReadScenario readScenario(std::string_view text, const std::string& source,
                           const TablePoints* tablePoints = nullptr);
 

@@ -37,8 +37,9 @@ struct SavedValue {
 /// it.
 std::vector<SavedValue> savedValues(const Scenario& scenario);
 
-/// Returns the scenario with default values for everything that its form and the shape of its force do not
-/// use. Files do not store such values.
+/// Returns the scenario with defaults for all values without effect. These are values that the form of the
+/// scenario (such as a drill string) or the shape of the hammer force does not use. Scenario files do not
+/// store them.
 Scenario withoutUnusedValues(const Scenario& scenario);
 
 /// Returns a value as it is written after its key, "3660 mm", in its default unit or the given one.
@@ -50,20 +51,22 @@ std::string yamlScalar(std::string_view text);
 /// Returns the text of a new scenario file.
 std::string scenarioText(const Scenario& scenario);
 
-/// Paths of the lists in a scenario file that listItems() writes: points of a force table, corners of the
-/// loading curve, and sections of the hammer. The list "string" is separate.
+/// Paths of three lists in a scenario file, which listItems() accepts: points of a force table, corners of
+/// the loading curve, and sections of the hammer. The path of the sections of the string is "string".
 inline constexpr std::string_view pointsPath = "pulse.points", cornersPath = "bit_rock.corners",
                                   hammerSectionsPath = "hammer.sections";
 
-/// Returns the items of one list of a new scenario file as YAML, such as those of "bit_rock.corners", without
-/// their dashes. The lines of a longer item are not indented. Empty if the scenario has no such list.
+/// Returns the items of a list as YAML for a new scenario file, such as those of "bit_rock.corners". They
+/// have no dashes and no indentation, even if an item has several lines. Empty if the scenario has no such
+/// list.
 std::vector<std::string> listItems(const Scenario& scenario, std::string_view list);
 
-/// Returns those of the values whose `section` is this path, as a YAML map in braces, "{length: 3660 mm, …}".
-/// Such a map is an item of a list.
+/// Returns one list item of a scenario file as a YAML map in braces, "{length: 3660 mm, …}". It contains
+/// those of `values` whose `section` is `path`, such as "hammer.sections.0".
 std::string sectionItem(const std::vector<SavedValue>& values, std::string_view path);
 
-/// Returns items as a YAML list, each on one or more lines, indented by this number of blanks.
+/// Returns items as lines of a YAML list, "- …". The dashes are indented by this number of blanks; an item
+/// may have several lines.
 std::string listText(const std::vector<std::string>& items, std::size_t indentation);
 
 /// Returns one section of a new scenario file as text, such as "drill:\n  thrust: 8 kN\n".

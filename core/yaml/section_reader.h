@@ -31,7 +31,7 @@ class ProblemList {
     void reportValue(std::size_t offset, std::string_view key, std::string_view value, const Message& reason);
     /// Adds the error "key (reason)" to the list, with line and column of the byte at `offset` in the text.
     void reportKey(std::size_t offset, std::string_view key, const Message& reason);
-    /// Reports an error that already has its position.
+    /// Adds an error to the list. Its line and column are already set.
     void report(InputProblem problem);
     /// Adds an error to the list, with line and column of the byte at `offset` in the text.
     void reportAt(std::size_t offset, InputProblem problem);
@@ -41,8 +41,8 @@ class ProblemList {
     TextPosition position(std::size_t offset) const { return positionOf(m_text, offset); }
     /// Returns whether an error was reported for this key.
     bool concerns(std::string_view key) const { return m_keys.contains(std::string(key)); }
-    /// Returns the errors in order of line and column. If some were left out, the last one gives their
-    /// number.
+    /// Returns the errors in order of line and column. If there were more than 100, the others are left out
+    /// and the last item gives their number.
     std::vector<InputProblem> take();
 
   private:
@@ -56,8 +56,8 @@ class ProblemList {
 struct YamlEntry {
     const YamlNode* key = nullptr;
     const YamlNode* value = nullptr;
-    /// Returns the byte at which to report an error: that of the value, or that of the key if the value is
-    /// absent.
+    /// Returns the byte offset in the text at which to report an error: that of the value, or that of the key
+    /// if the value is absent.
     std::size_t place() const;
 };
 using YamlEntries = std::map<std::string, YamlEntry, std::less<>>;
@@ -78,24 +78,25 @@ class SectionReader {
     /// key that occurs twice.
     YamlEntries entriesOf(const YamlNode& map, std::string_view section,
                           const std::vector<std::string_view>& known);
-    /// Returns the entries of the section `name` of a file. Known keys are those of the parameters of the
-    /// section `group`, and `moreKeys`; others are reported. An empty section has no entries. Returns nullopt
-    /// and reports an error if the section is missing or is not a map.
+    /// Returns the entries of the section `name` of a scenario file; none if the section is empty. Allowed
+    /// keys are `moreKeys` and those of the parameters in `group`, such as "rod"; others are reported as
+    /// errors. Returns nullopt and reports an error if the section is missing or is not a map.
     std::optional<YamlEntries> section(const YamlEntries& file, std::string_view name, std::string_view group,
                                        std::vector<std::string_view> moreKeys = {});
 
-    /// Treatment of parameters that do not apply to the scenario: reported as errors, or not.
+    /// Treatment of parameters in a file that do not apply to the scenario: an error (`checked`), or no error
+    /// (`ignored`).
     enum class Applicability { checked, ignored };
     /// Sets every parameter of the section `group` that is present in the file. The order is that of the
     /// table of parameters, because a mean force can be converted to an impulse only after the duration is
     /// set.
     void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
 
-    /// Reports required parameters of the section `group` that are missing. Exactly one parameter of a pair
-    /// such as mean force and impulse must be given. Parameters that do not apply to the scenario are
-    /// ignored.
+    /// Reports an error for each required parameter of `group`, such as "rod", that is missing. If two
+    /// parameters exclude each other, such as mean force and impulse, exactly one must be given. Parameters
+    /// that do not apply to the scenario are not required.
     void requireParameters(const YamlEntries& entries, std::string_view group);
-    /// Reports an error if the parameter is missing from `entries`, its section of the file.
+    /// Reports an error if a parameter is missing. `entries` are those of its section of the file.
     void require(const YamlEntries& entries, const Parameter& parameter);
     /// Reports an error if the file does not give the shape of the hammer force.
     void requireShape(const YamlEntries& entries);
@@ -103,11 +104,11 @@ class SectionReader {
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);
     void reportMissing(std::string_view section, std::string_view key, const Message& reason);
-    /// Returns whether the key is present. A misspelt form of it counts as well: it was already reported as
-    /// unknown, and must not be reported as missing too.
+    /// Returns whether the key is present. A misspelt form of the key also counts. It was already reported as
+    /// an unknown key, so the key must not be reported as missing too.
     bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
 
-    /// Stores the byte offset of a key in the text, for errors that are found later.
+    /// Stores the byte offset of a key in the text, so that errors found later can give its position.
     void setPlace(std::string_view key, std::size_t offset) { m_places[std::string(key)] = offset; }
     std::optional<std::size_t> placeOf(std::string_view key) const;
 

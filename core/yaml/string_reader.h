@@ -10,7 +10,8 @@ namespace drillwave {
 /// have the form of a drill string.
 void readDrillString(SectionReader& reader, const YamlEntries& file);
 
-/// Returns the sections in a list outside a scenario, as in a preset file; `key` names the list in messages.
+/// Reads a list of sections that is not part of a scenario, such as the sections of a preset. `key` is the
+/// name of the list in error messages.
 std::vector<Section> readSectionList(SectionReader& reader, const YamlNode& list, const std::string& key);
 
 }  // namespace drillwave

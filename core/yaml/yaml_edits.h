@@ -21,7 +21,7 @@ struct NotPatchable {};
 /// if their item or entry is removed. Edits throw NotPatchable if they cannot be made.
 class YamlEdits {
   public:
-    /// Takes the text, which must outlive this object.
+    /// Starts with the unchanged `text`, which must outlive this object.
     explicit YamlEdits(std::string_view text);
 
     /// Returns the text with all edits.
@@ -47,8 +47,9 @@ class YamlEdits {
     /// Replaces the list of a map entry, or removes the entry if there are no items. `at` is the index of its
     /// key in the children of the map.
     void replaceList(const YamlNode& map, std::size_t at, const std::vector<std::string>& items);
-    /// Writes a list in brackets into a map in braces. `at` is the index of its key in the children of the
-    /// map; if it has no such key, the list is added at the end.
+    /// Writes a list in brackets, "[a, b]", as the value of `key` into a map in braces. If the map has the
+    /// key, `at` is its index in the children of the map, and its value is replaced. Otherwise the key and
+    /// the list are added at the end.
     void writeFlowList(const YamlNode& map, std::size_t at, std::string_view key,
                        const std::vector<std::string>& items);
 
@@ -61,8 +62,8 @@ class YamlEdits {
     /// Adds items to a list, before the line that begins at the byte `place`. `column` is the column of their
     /// dashes, from 0.
     void addItems(std::size_t place, const std::vector<std::string>& items, std::size_t column);
-    /// Replaces the lines of a list item by other items, or removes them if there are none. `column` is the
-    /// column of their dashes.
+    /// Replaces a list item, which is on these lines, by other items; removes it if there are none. `column`
+    /// is the column of the dashes, from 0.
     void replaceItem(TextExtent lines, const std::vector<std::string>& items, std::size_t column);
 
   private:
