@@ -163,7 +163,8 @@ const Command& drillCommand() {
               "vary this parameter and compare its values; VALUES is START:STOP:COUNT, START:STOP:COUNT:log "
               "(equal ratios) or A,B,C, with units"},
              {"gaps", "FILE.csv",
-              "with --scan, also write the gap of each blow to this file, except for transient blows"},
+              "with --scan, also write the gap between bit and rock at the start of each blow to this file, "
+              "without transient blows"},
              {"histories", "A:B",
               "with -o DIR, also write the motion and forces over time from blow A to blow B"},
              {"json", "", "print one JSON object instead of the table"},

@@ -190,7 +190,7 @@ constexpr OverloadWords yieldWords{
         "The rod would yield: during the blow the stress reaches %1, at %2 from the hammer and %3 after "
         "the start of the blow. Its yield strength is %4."),
     translatable(
-        "The rod would yield from residual waves after the blow, which are not damped here. The stress "
+        "After the blow, residual waves would make the rod yield; the waves are not damped here. The stress "
         "reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.")};
 constexpr OverloadWords fatigueWords{
     translatable("Every blow loads %1 above its fatigue strength of %5. The stress reaches %2, at %3 from "
@@ -297,10 +297,11 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                         "piston back by then, switch off “may strike again” (restrike: false in the file)."),
                     {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
-            return {translatable("At impact, the shank is up to %1 from its mean position in the machine. "
-                                 "Stroke and blow energy of a real machine would therefore differ. If the "
-                                 "damper has no spring, add one: a dashpot alone lets the shank drift."),
-                    {inUnit(alert, "offset", style)}};
+            return {
+                translatable("At impact, the shank is up to %1 from its mean position in the machine. A real "
+                             "machine would then have another stroke and blow energy than assumed. If the "
+                             "damper has no spring, add one: a dashpot alone lets the shank drift."),
+                {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
             return {
                 translatable("The blow frequency is rounded to %1, so that each blow falls on a time step."),

@@ -207,8 +207,8 @@ Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEs
     if (estimate) return EstimateMessage(*estimate, style).message();
     if (!hasUnits(scenario))
         return translatable(
-            "The feed cannot be judged: the scenario has only dimensionless groups. Enter it in physical "
-            "units.");
+            "The feed cannot be judged: the scenario has only dimensionless groups. Enter the scenario in "
+            "physical units.");
     return scenario.drill.thrust
                ? translatable("The feed cannot be judged: give a blow frequency.")
                : translatable("The feed cannot be judged: give a blow frequency and a feed force.");

@@ -6216,8 +6216,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Nachdem sich der Kolben getrennt hat, trifft ihn der zurückprallende Strang noch einmal, und der Kolben gibt bis zu %1&#xa0;% seines Impulses an den Strang ab. Hat die Maschine den Kolben bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>At impact, the shank is up to %1 from its mean position in the machine. Stroke and blow energy of a real machine would therefore differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
-        <translation>Beim Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt. Hub und Schlagenergie einer wirklichen Maschine wären daher andere. Hat die Dämpfung keine Feder, eine hinzufügen: Ein Dämpfer allein lässt das Einsteckende wandern.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine. A real machine would then have another stroke and blow energy than assumed. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
+        <translation>Beim Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt. Eine wirkliche Maschine hätte dann einen anderen Hub und eine andere Schlagenergie als angenommen. Hat die Dämpfung keine Feder, eine hinzufügen: Ein Dämpfer allein lässt das Einsteckende wandern.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
@@ -6300,8 +6300,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>bei jedem Spalt</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: the scenario has only dimensionless groups. Enter it in physical units.</source>
-        <translation>Der Vorschub wird nicht beurteilt: das Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben. Die Größen in physikalischen Einheiten eingeben.</translation>
+        <source>The feed cannot be judged: the scenario has only dimensionless groups. Enter the scenario in physical units.</source>
+        <translation>Der Vorschub wird nicht beurteilt: das Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben. Das Szenario in physikalischen Einheiten eingeben.</translation>
     </message>
     <message>
         <source>The feed cannot be judged: give a blow frequency.</source>
@@ -12492,8 +12492,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Stange würde fließen: während des Schlags erreicht die Spannung %1, %2 vom Hammer und %3 nach Beginn des Schlags. Ihre Streckgrenze ist %4.</translation>
     </message>
     <message>
-        <source>The rod would yield from residual waves after the blow, which are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.</source>
-        <translation>Die Stange würde durch Restwellen nach dem Schlag fließen, die hier nicht gedämpft sind. Die Spannung erreicht %1, %2 vom Hammer und %3 nach Beginn des Schlags. Die Streckgrenze ist %4.</translation>
+        <source>After the blow, residual waves would make the rod yield; the waves are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.</source>
+        <translation>Nach dem Schlag würden die Restwellen die Stange fließen lassen; die Wellen sind hier nicht gedämpft. Die Spannung erreicht %1, %2 vom Hammer und %3 nach Beginn des Schlags. Die Streckgrenze ist %4.</translation>
     </message>
     <message>
         <source>Every blow loads %1 above its fatigue strength of %5. The stress reaches %2, at %3 from the rear end of this section and %4 after the start of the blow.</source>
@@ -16066,8 +16066,8 @@ Mittel sowie 5-, 50- und 95-%-Quantil, auch der Anteil der Spalte mit einer Sto�
         <translation>diesen Parameter verändern und seine Werte vergleichen; VALUES ist START:STOP:COUNT, START:STOP:COUNT:log (gleiche Verhältnisse) oder A,B,C, mit Einheiten</translation>
     </message>
     <message>
-        <source>with --scan, also write the gap of each blow to this file, except for transient blows</source>
-        <translation>mit --scan auch den Spalt jedes Schlags in diese Datei schreiben, außer denen zum Einschwingen</translation>
+        <source>with --scan, also write the gap between bit and rock at the start of each blow to this file, without transient blows</source>
+        <translation>mit --scan auch den Spalt zwischen Krone und Gestein zu Beginn jedes Schlags in diese Datei schreiben, ohne die Schläge zum Einschwingen</translation>
     </message>
     <message>
         <source>with -o DIR, also write the motion and forces over time from blow A to blow B</source>

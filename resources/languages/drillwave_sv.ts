@@ -6216,8 +6216,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Efter att kolven har skilts träffar den studsande strängen den igen, och kolven ger upp till %1&#xa0;% av sin rörelsemängd till strängen. Om maskinen då har dragit tillbaka kolven, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>At impact, the shank is up to %1 from its mean position in the machine. Stroke and blow energy of a real machine would therefore differ. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
-        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen. Slaglängd och slagenergi hos en verklig maskin skulle därför bli andra. Lägg till en fjäder om dämparen saknar den: en dämpare ensam låter nacken vandra.</translation>
+        <source>At impact, the shank is up to %1 from its mean position in the machine. A real machine would then have another stroke and blow energy than assumed. If the damper has no spring, add one: a dashpot alone lets the shank drift.</source>
+        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen. En verklig maskin skulle då ha en annan slaglängd och slagenergi än antaget. Lägg till en fjäder om dämparen saknar den: en dämpare ensam låter nacken vandra.</translation>
     </message>
     <message>
         <source>The blow frequency is rounded to %1, so that each blow falls on a time step.</source>
@@ -6300,8 +6300,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>vid varje spalt</translation>
     </message>
     <message>
-        <source>The feed cannot be judged: the scenario has only dimensionless groups. Enter it in physical units.</source>
-        <translation>Matningen bedöms inte: scenariot ges bara av sina dimensionslösa tal. Ange storheterna i fysikaliska enheter.</translation>
+        <source>The feed cannot be judged: the scenario has only dimensionless groups. Enter the scenario in physical units.</source>
+        <translation>Matningen bedöms inte: scenariot ges bara av sina dimensionslösa tal. Ange scenariot i fysikaliska enheter.</translation>
     </message>
     <message>
         <source>The feed cannot be judged: give a blow frequency.</source>
@@ -12492,8 +12492,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Stången skulle flyta: under slaget når spänningen %1, %2 från hammaren och %3 efter slagets början. Dess sträckgräns är %4.</translation>
     </message>
     <message>
-        <source>The rod would yield from residual waves after the blow, which are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.</source>
-        <translation>Stången skulle flyta av restvågor efter slaget, som inte dämpas här. Spänningen når %1, %2 från hammaren och %3 efter slagets början. Sträckgränsen är %4.</translation>
+        <source>After the blow, residual waves would make the rod yield; the waves are not damped here. The stress reaches %1, at %2 from the hammer and %3 after the start of the blow. The yield strength is %4.</source>
+        <translation>Efter slaget skulle restvågorna få stången att flyta; vågorna dämpas inte här. Spänningen når %1, %2 från hammaren och %3 efter slagets början. Sträckgränsen är %4.</translation>
     </message>
     <message>
         <source>Every blow loads %1 above its fatigue strength of %5. The stress reaches %2, at %3 from the rear end of this section and %4 after the start of the blow.</source>
@@ -16064,8 +16064,8 @@ under noll.</translation>
         <translation>variera denna parameter och jämför dess värden; VALUES är START:STOP:COUNT, START:STOP:COUNT:log (lika förhållanden) eller A,B,C, med enheter</translation>
     </message>
     <message>
-        <source>with --scan, also write the gap of each blow to this file, except for transient blows</source>
-        <translation>med --scan: skriv även spalten för varje slag till denna fil, utom för insvängningen</translation>
+        <source>with --scan, also write the gap between bit and rock at the start of each blow to this file, without transient blows</source>
+        <translation>med --scan: skriv även spalten mellan krona och berg när varje slag börjar till denna fil, utom för insvängningen</translation>
     </message>
     <message>
         <source>with -o DIR, also write the motion and forces over time from blow A to blow B</source>

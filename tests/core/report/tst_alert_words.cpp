@@ -197,9 +197,9 @@ const std::vector<Example>& examples() {
          "12.3 % of its momentum to the string. If the machine has drawn the piston back by then, switch off "
          "“may strike again” (restrike: false in the file)."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
-         "At impact, the shank is up to 6 mm from its mean position in the machine. Stroke and blow energy "
-         "of a real machine would therefore differ. If the damper has no spring, add one: a dashpot alone "
-         "lets the shank drift."},
+         "At impact, the shank is up to 6 mm from its mean position in the machine. A real machine would "
+         "then have another stroke and blow energy than assumed. If the damper has no spring, add one: a "
+         "dashpot alone lets the shank drift."},
         {{note,
           AlertCode::frequencyRounded,
           "",

@@ -185,10 +185,11 @@ void TestFeedWords::whatIsMissingIsSaid_data() {
     QTest::addColumn<QString>("text");
     QTest::newRow("units") << QByteArray("paper_fig4a") << false << false
                            << "The feed cannot be judged: the scenario has only dimensionless groups. Enter "
-                              "it in physical units.";
-    QTest::newRow("units of the reference case") << QByteArray("reference_case") << false << false
-                                                 << "The feed cannot be judged: the scenario has only "
-                                                    "dimensionless groups. Enter it in physical units.";
+                              "the scenario in physical units.";
+    QTest::newRow("units of the reference case")
+        << QByteArray("reference_case") << false << false
+        << "The feed cannot be judged: the scenario has only dimensionless groups. Enter the scenario in "
+           "physical units.";
     QTest::newRow("frequency") << QByteArray("t38_medium_rock") << false << true
                                << "The feed cannot be judged: give a blow frequency.";
     QTest::newRow("both") << QByteArray("t38_medium_rock") << false << false
